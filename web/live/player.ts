@@ -41,6 +41,12 @@ export class Player implements ShownTime {
     this.tell();
   }
 
+  /** Stands still at a time. */
+  stand(seconds: number): void {
+    this.playing = false;
+    this.seek(seconds);
+  }
+
   private tick(now: number): void {
     if (!this.playing) return;
     // A hidden page gets no frames: do not jump when it comes back.

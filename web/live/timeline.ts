@@ -15,24 +15,40 @@ function look(kind: string): { row: number; shape: "dot" | "triangle" | "square"
   return { row: 2, shape: "dot" };
 }
 
+/** Moves through the time of a replay. */
+export function timeSlider(view: RunView): HTMLInputElement {
+  let dragging = false;
+  const seek = () => view.seek(Number(slider.value));
+  const slider = h("input", { type: "range", min: 0, max: view.end, step: 0.1, "aria-label": T.replay.slider, class: "seek",
+    oninput: () => { dragging = true; if (view.seeksAtOnce) seek(); }, onchange: () => { dragging = false; seek(); } });
+  view.every(() => {
+    // Where seeking takes its time, the slider stays where it was put.
+    if (!dragging && (view.seeksAtOnce || document.activeElement !== slider)) slider.value = String(view.world.time);
+  });
+  return slider;
+}
+
+/** To the begin of a replay, and from event to event. */
+export function replayButtons(view: RunView, events: () => readonly KeptEvent[] = () => view.events): HTMLElement {
+  const jump = (by: number) => {
+    const { time } = view.world;
+    const next = by > 0 ? events().find((e) => e.time_s > time + 0.5) : [...events()].reverse().find((e) => e.time_s < time - 1);
+    if (next) view.seek(next.time_s);
+  };
+  return h("div", { class: "replay-buttons" }, iconButton("first", T.replay.begin, () => view.seek(0)),
+    iconButton("previous", T.replay.previous, () => jump(-1)), iconButton("next", T.replay.next, () => jump(1)));
+}
+
 export class Timeline {
   readonly element: HTMLElement;
   private readonly canvas = h("canvas", { class: "timeline-canvas", "aria-hidden": "true" });
   private readonly tip = h("div", { class: "timeline-tip", hidden: true });
-  private readonly slider: HTMLInputElement | null = null;
   private shown = "";
-  private dragging = false;
 
-  constructor(private readonly view: RunView) {
-    const parts: HTMLElement[] = [h("div", { class: "timeline-stack" }, this.canvas, this.tip)];
-    if (view.run.replay) {
-      this.slider = h("input", { type: "range", min: 0, max: view.end, step: 0.1, "aria-label": T.replay.slider, class: "seek",
-        oninput: () => { this.dragging = true; if (view.seeksAtOnce) this.seek(); }, onchange: () => { this.dragging = false; this.seek(); } });
-      (parts[0] as HTMLElement).append(this.slider);
-      parts.unshift(h("div", { class: "replay-buttons" }, iconButton("first", T.replay.begin, () => view.seek(0)),
-        iconButton("previous", T.replay.previous, () => this.jump(-1)), iconButton("next", T.replay.next, () => this.jump(1))));
-    }
-    this.element = h("section", { class: "timeline", "aria-label": T.timeline.title }, ...parts);
+  /** @param moves  it has what moves through the time, too */
+  constructor(private readonly view: RunView, moves = view.run.replay) {
+    const stack = h("div", { class: "timeline-stack" }, this.canvas, this.tip, moves ? timeSlider(view) : null);
+    this.element = h("section", { class: "timeline", "aria-label": T.timeline.title }, moves ? replayButtons(view) : null, stack);
     this.canvas.addEventListener("pointermove", (event) => this.point(event));
     this.canvas.addEventListener("pointerleave", () => { this.tip.hidden = true; });
     this.canvas.addEventListener("click", (event) => {
@@ -45,18 +61,8 @@ export class Timeline {
     view.every(() => this.update());
   }
 
-  private seek(): void {
-    this.view.seek(Number(this.slider!.value));
-  }
-
   private timeAt(x: number): number {
     return (x / Math.max(1, this.canvas.clientWidth)) * this.view.end;
-  }
-
-  private jump(by: number): void {
-    const { events, world: { time } } = this.view;
-    const next = by > 0 ? events.find((e) => e.time_s > time + 0.5) : [...events].reverse().find((e) => e.time_s < time - 1);
-    if (next) this.view.seek(next.time_s);
   }
 
   private nearest(event: PointerEvent | MouseEvent): KeptEvent | null {
@@ -83,7 +89,6 @@ export class Timeline {
 
   private update(): void {
     const { world } = this.view, width = this.canvas.clientWidth;
-    if (this.slider && !this.dragging && document.activeElement !== this.slider) this.slider.value = String(world.time);
     const key = `${world.version.events} ${Math.round((world.time / this.view.end) * width)} ${width} ${theme().dark}`;
     if (key === this.shown || width === 0) return;
     this.shown = key;

@@ -1,19 +1,25 @@
-/** The map at a few times, for paper: pictures that are made when the page is printed. */
+/** The maps at a few times, for paper: pictures that are made when the page is printed. */
 import type { MapView } from "../live/map/map_view";
 import type { Player } from "../live/player";
 import { clock, h } from "./dom";
 
 const kParts = [0, 1 / 3, 2 / 3, 1]; // of the run
 
+/** A map, and what is said of it at a time. */
+export interface PrintedMap {
+  map: MapView;
+  text: (time: number) => string;
+}
+
 /** Puts them behind the map before the page is printed, and takes them away again. */
-export function printedMaps(holder: HTMLElement, player: Player, map: () => MapView, figuresAt: (time: number) => string): void {
+export function printedMaps(holder: HTMLElement, player: Player, maps: () => PrintedMap[]): void {
   let pictures: HTMLElement | null = null;
   window.addEventListener("beforeprint", () => {
     const { time } = player;
     player.pause();
-    const figures = kParts.map((part) => {
+    const figures = kParts.flatMap((part) => {
       player.seek(part * player.end);
-      return h("figure", {}, map().picture(), h("figcaption", {}, `${clock(player.time)}. ${figuresAt(player.time)}`));
+      return maps().map(({ map, text }) => h("figure", {}, map.picture(), h("figcaption", {}, `${clock(player.time)}. ${text(player.time)}`)));
     });
     player.seek(time);
     pictures = h("div", { class: "print-maps" },

@@ -175,7 +175,7 @@ async function mapOf(runs: RunData[]): Promise<{ panel: MapPanel | null; element
 export async function runsPage(title: string, runs: RunData[]): Promise<HTMLElement[]> {
   const { panel, element: map } = await mapOf(runs);
   const charts = plots(runs, (time) => panel?.seek(time));
-  const pilot = panel && runs.length === 1 ? pilotPanel(panel.view.world, panel.alerts) : null;
+  const pilot = panel && runs.length === 1 ? pilotPanel(panel.first.view.world, panel.first.alerts) : null;
   if (panel) {
     panel.onTime = (time) => {
       charts.forEach((c) => c.showTime(time));

@@ -139,16 +139,16 @@ class TableCursor final : public PieceCursor<T> {
 
   // Lists are not read back with their records.
   Result<void> read_paths(Sqlite& database, const std::string& piece, std::size_t next) {
-    return for_each_row(
-        database, "SELECT path_json FROM recommendations " + piece,
-        [&](const Statement& row) {
-          const auto list = json::Json::parse(row.text(0), nullptr, false);
-          auto& path = this->ahead_.at(next++).recommendation.path;
-          if (list.is_array())
-            for (const json::Json& item : list)
-              if (auto point = json::from_json<RecommendedPoint>(item))
-                path.push_back(std::move(point).value());
-        });
+    return for_each_row(database, "SELECT path_json FROM recommendations " + piece,
+                        [&](const Statement& row) {
+                          const auto list =
+                              json::Json::parse(row.text(0), nullptr, false);
+                          auto& path = this->ahead_.at(next++).recommendation.path;
+                          if (list.is_array())
+                            for (const json::Json& item : list)
+                              if (auto point = json::from_json<RecommendedPoint>(item))
+                                path.push_back(std::move(point).value());
+                        });
   }
   Time time_of_item(const T& value) const override { return time_of(value); }
   void put(T value, std::vector<Timed>& out) override {

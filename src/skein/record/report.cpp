@@ -206,8 +206,8 @@ std::vector<std::string> labels(std::span<const fs::path> directories) {
 
 }  // namespace
 
-Result<void> write_report(std::span<const fs::path> run_directories,
-                          const fs::path& html, const MapOf& map_of) {
+Result<void> write_report(std::span<const fs::path> run_directories, const fs::path& html,
+                          const MapOf& map_of) {
   if (run_directories.empty())
     return Error{ErrorCode::kBadInput, "", "no run was given",
                  "give directories of runs"};
@@ -246,8 +246,9 @@ Result<void> write_report(std::span<const fs::path> run_directories,
     return all;
   }
   if (count > 1) title = "Comparison of " + std::to_string(count) + " runs";
-  return write_page(
-      PageKind::kRuns, title, {{"page", "runs"}, {"title", title}, {"runs", std::move(runs)}}, html);
+  return write_page(PageKind::kRuns, title,
+                    {{"page", "runs"}, {"title", title}, {"runs", std::move(runs)}},
+                    html);
 }
 
 }  // namespace skein::record

@@ -83,12 +83,12 @@ class Reader {
   Result<StoredRun> read() {
     using Part = Result<void> (Reader::*)();
     for (const Part part :
-         {&Reader::schema,    &Reader::meta,      &Reader::entities,
-          &Reader::duration,  &Reader::events,    &Reader::metrics,
-          &Reader::forecasts, &Reader::flights,   &Reader::estimates,
-          &Reader::readings,  &Reader::radio,     &Reader::crossings,
-          &Reader::payload,   &Reader::memory,    &Reader::traffic,
-          &Reader::alerts,    &Reader::bands,     &Reader::recommendations,
+         {&Reader::schema,    &Reader::meta,    &Reader::entities,
+          &Reader::duration,  &Reader::events,  &Reader::metrics,
+          &Reader::forecasts, &Reader::flights, &Reader::estimates,
+          &Reader::readings,  &Reader::radio,   &Reader::crossings,
+          &Reader::payload,   &Reader::memory,  &Reader::traffic,
+          &Reader::alerts,    &Reader::bands,   &Reader::recommendations,
           &Reader::missions,  &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
@@ -266,9 +266,8 @@ class Reader {
 
   // What cameras and ranging sensors saw: likewise.
   Result<void> payload() {
-    auto done = records<GroundObject>("", [this](const GroundObject& object) {
-      statistics_.payload().object(object);
-    });
+    auto done = records<GroundObject>(
+        "", [this](const GroundObject& object) { statistics_.payload().object(object); });
     if (!done) return done;
     done = records<ObjectMotion>("ORDER BY time_s", [&](const ObjectMotion& motion) {
       statistics_.payload().motion(motion);
@@ -287,9 +286,8 @@ class Reader {
 
   // Other air traffic, and what was believed of it: likewise.
   Result<void> traffic() {
-    auto done = records<AirTraffic>("", [this](const AirTraffic& what) {
-      statistics_.traffic().aircraft(what);
-    });
+    auto done = records<AirTraffic>(
+        "", [this](const AirTraffic& what) { statistics_.traffic().aircraft(what); });
     if (!done) return done;
     done = records<TrafficMotion>("ORDER BY time_s", [&](const TrafficMotion& motion) {
       statistics_.traffic().motion(motion);

@@ -1,5 +1,5 @@
 /** The map: camera, ground, the canvases above it, and what the pointer does. */
-import { Map as MapLibre, type CustomLayerInterface, type GeoJSONSource, type MapMouseEvent } from "maplibre-gl";
+import { Map as MapLibre, type CameraOptions, type CustomLayerInterface, type GeoJSONSource, type MapMouseEvent } from "maplibre-gl";
 import { onThemeChange, theme } from "../../report/theme";
 import { h } from "../../report/dom";
 import type { RunDescription } from "../protocol";
@@ -25,6 +25,9 @@ export interface Here {
 
 /** Whoever wants the clicks: picking a place, measuring. Returns whether it takes the click. */
 export type ClickTaker = (here: Here, double: boolean) => boolean;
+
+/** Where a map is looked from. */
+export type Outlook = Required<Pick<CameraOptions, "center" | "zoom" | "bearing" | "pitch">>;
 
 /** Something that draws on the canvas of what changes slowly. */
 export type Extra = (c: CanvasRenderingContext2D, view: FieldView) => void;
@@ -66,7 +69,7 @@ export class MapView {
   private zonesShown = "";
   private dirty = true;
   private fresh = true;
-  private sized = false;
+  private fitted = false;
 
   constructor(private readonly run: RunDescription, private readonly world: World, readonly terrain: Terrain | null,
     private readonly settings: Settings) {
@@ -200,8 +203,8 @@ export class MapView {
     }
     this.field.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.map.resize();
-    if (!this.sized) this.map.fitBounds(this.whole(), { padding: 12, duration: 0 });
-    this.sized = true;
+    if (!this.fitted) this.map.fitBounds(this.whole(), { padding: 12, duration: 0 });
+    this.fitted = true;
     this.camera.version++;
     this.redraw();
   }
@@ -290,6 +293,18 @@ export class MapView {
     const half = Math.max(1, Math.hypot(side.north_m - north_m, side.east_m - east_m));
     this.camera.scale = this.camera.width / 2 / half;
     return { north_m, east_m, half_m: (this.is3d ? 3 : 1.5) * half };
+  }
+
+  /** Where it is looked from. */
+  get outlook(): Outlook {
+    const { map } = this;
+    return { center: map.getCenter(), zoom: map.getZoom(), bearing: map.getBearing(), pitch: map.getPitch() };
+  }
+
+  /** Looks from there, also before it is seen for the first time. */
+  lookFrom(outlook: Outlook): void {
+    this.fitted = true;
+    this.map.jumpTo(outlook);
   }
 
   goTo(north: number, east: number): void {

@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double kShortestStep = 1;  // between frames [s]
+constexpr double kShortestStep = 1;   // between frames [s]
 constexpr double kMaxPlaces = 12000;  // of all aircraft in all frames
 constexpr double kReadAhead = 60;     // of the run, at once [s]
 constexpr float kHeightStep = 0.25F;  // of the ground [m]
@@ -148,9 +148,9 @@ class RunPacker {
     if (time <= Time()) return;
     // What there is comes before all else.
     if (!step_)
-      step_ = Time::from_seconds(
-          std::max(kShortestStep, std::ceil(recorded_.end().seconds() * aircraft_ /
-                                            (share_ * kMaxPlaces))));
+      step_ = Time::from_seconds(std::max(
+          kShortestStep,
+          std::ceil(recorded_.end().seconds() * aircraft_ / (share_ * kMaxPlaces))));
     for (; next_ < time; next_ += *step_) put_frame(next_);
   }
 

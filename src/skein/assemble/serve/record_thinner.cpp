@@ -46,7 +46,9 @@ struct SubjectFinder {
   hmi::RecordKey operator()(const Detection& r) const {
     return key(r.aircraft.value, r.object);
   }
-  hmi::RecordKey operator()(const Event& r) const { return key(r.entity.value, 0, r.kind); }
+  hmi::RecordKey operator()(const Event& r) const {
+    return key(r.entity.value, 0, r.kind);
+  }
   template <class Other>
   hmi::RecordKey operator()(const Other&) const {
     return key(0);
@@ -112,9 +114,8 @@ std::vector<RecordThinner::Kept> RecordThinner::finish() {
     for (auto& [subject, each] : kind.left_out)
       if (each.time > kind.last.at(subject)) all.push_back(std::move(each));
   }
-  std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
-    return a.number < b.number;
-  });
+  std::sort(all.begin(), all.end(),
+            [](const Candidate& a, const Candidate& b) { return a.number < b.number; });
   std::vector<Kept> out;
   out.reserve(all.size());
   for (Candidate& each : all) out.push_back({each.time, std::move(each.record)});

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -78,7 +80,8 @@ std::vector<T> recorded(const fs::path& folder) {
   std::vector<T> found;
   auto stream = record::RecordStream::open(folder).value();
   EXPECT_TRUE(stream.advance(stream.end(), {[&](Time, const Record& record) {
-                                              if (const auto* one = std::get_if<T>(&record))
+                                              if (const auto* one =
+                                                      std::get_if<T>(&record))
                                                 found.push_back(*one);
                                             },
                                             [](Time, const MetricSample&) {}}));
@@ -116,6 +119,31 @@ TEST(PackRun, SaysWhatTheRecordsOfTheRunSay) {
   const auto paths = records_of<RecommendationRecord>(run);
   ASSERT_EQ(paths.size(), 1U);
   ASSERT_EQ(paths[0].recommendation.path.size(), 1U);
+}
+
+TEST(PackRun, HasForecastsInTheOrderInWhichTheyWereMade) {
+  const record::TemporaryFolder folder("forecasts");
+  auto recorder =
+      record::RunRecorder::create(folder.path(), {"1", 5, "n", kScenario, ""}).value();
+  for (const double made : {0.0, 60.0})
+    for (const double ahead : {60.0, 120.0})
+      recorder->record(ForecastRecord{
+          EntityId{0},
+          {Time::from_seconds(made),
+           record::believed_circle(Time::from_seconds(made + ahead), {0, 0}, 300, 20), 0,
+           "m"}});
+  record::record_sample(*recorder, 200, 1);
+  ASSERT_TRUE(recorder->close());
+  std::vector<std::array<double, 2>> ahead;
+  for (const ForecastRecord& each :
+       records_of<ForecastRecord>(pack_run(folder.path(), 1).value())) {
+    ahead.push_back(
+        {each.forecast.made.seconds(), each.forecast.boundary.time.seconds()});
+    EXPECT_EQ(each.forecast.mission, "m");
+    EXPECT_EQ(each.forecast.boundary.rings.size(), 1U);
+  }
+  EXPECT_EQ(ahead, (std::vector<std::array<double, 2>>{
+                       {0, 60}, {0, 120}, {60, 120}, {60, 180}}));
 }
 
 TEST(PackRun, HasTheAircraftEverySecondAndAtTheEnd) {
@@ -168,7 +196,8 @@ TEST(PackRun, ARunWhoseScenarioCannotBeReadHasNoOrigin) {
 
 TEST(PackRun, ARunWithoutPlacesHasNoMap) {
   const record::TemporaryFolder folder("nothing");
-  auto recorder = record::RunRecorder::create(folder.path(), {"1", 5, "n", "", ""}).value();
+  auto recorder =
+      record::RunRecorder::create(folder.path(), {"1", 5, "n", "", ""}).value();
   ASSERT_TRUE(recorder->close());
   const auto map = report_map(folder.path(), 1);
   ASSERT_TRUE(map) << map.error().text();
