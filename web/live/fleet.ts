@@ -238,9 +238,6 @@ export class Fleet {
 
 /** The simulated time that is drawn. */
 export interface ShownTime {
-  paused: boolean;
-  /** A frame of this time has come. */
-  frame(time: number, wall: number): void;
   now(wall: number): number;
 }
 
@@ -258,6 +255,7 @@ export class PlayTime implements ShownTime {
   private begun = false;
   paused = false;
 
+  /** A frame of this time has come. */
   frame(time: number, wall: number): void {
     const dt = time - this.newest, dw = wall - this.newestWall;
     if (!this.begun || dt < 0 || dt > Math.max(30, 20 * this.gap)) {

@@ -12,11 +12,7 @@ export class Player implements ShownTime {
   /** @param end  of the longest recording [s] */
   constructor(readonly end: number) {}
 
-  get paused(): boolean {
-    return !this.playing;
-  }
-  // What is drawn is of exactly this time, whenever frames are read.
-  frame(): void {}
+  /** What is drawn is of exactly this time. */
   now(): number {
     return this.time;
   }

@@ -87,12 +87,14 @@ export class World {
   private eventNumber = 0;
 
   readonly play: ShownTime;
+  private readonly follower: PlayTime | null; // of a run that goes on elsewhere
   /** Between frames, and tracks of others, that follow each other, where they were thinned [s]. */
   readonly gap: number;
 
   /** @param recorded  of a recording: its clock is exact */
   constructor(readonly frame: Frame, decoder: Decoder, table: Table, private readonly recorded?: { play: ShownTime; gap: number }) {
-    this.play = recorded?.play ?? new PlayTime();
+    this.follower = recorded ? null : new PlayTime();
+    this.play = recorded?.play ?? this.follower!;
     this.gap = recorded?.gap ?? 0;
     for (const topic of ["clock", "entities", "fire", "forecast", "arrival", "zones", "missions", "events", "metrics", "links",
       "clients", "tasks", "objects", "traffic", "alerts", "allocations", "planners", "snapshot", "tracks", "paths"] as Topic[])
@@ -100,7 +102,7 @@ export class World {
     this.fleet = new Fleet(decoder, "fleet_frame", "FleetFrame", table, frame);
     this.truth = new Fleet(decoder, "truth_frame", "TruthFrame", table, frame, false);
     for (const each of [this.fleet, this.truth]) each.gap = Math.max(each.gap, 2.5 * this.gap);
-    this.fleet.onFrame = (time) => this.play.frame(time, performance.now() / 1000);
+    this.fleet.onFrame = (time) => this.follower?.frame(time, performance.now() / 1000);
   }
 
   name(id: number): string {
@@ -143,7 +145,7 @@ export class World {
   private readonly takers: Record<string, (value: never) => void> = {
     run_clock: (clock: RunClock) => {
       this.clock = clock;
-      this.play.paused = clock.paused;
+      if (this.follower) this.follower.paused = clock.paused;
       this.touch("clock");
     },
     snapshot: ({ begins }: { begins: boolean }) => {

@@ -8,6 +8,7 @@ import { runsPage } from "./runs_page";
 import { unpackedBlock } from "./unpack";
 
 void show<RunsData>(async ({ title, runs }) => {
-  setWorkerUrl(URL.createObjectURL(new Blob([await unpackedBlock("worker")], { type: "text/javascript" })));
+  // By its ending the map takes it for no module: browsers start none of those for a page that is a file.
+  setWorkerUrl(`${URL.createObjectURL(new Blob([await unpackedBlock("worker")], { type: "text/javascript" }))}#worker.cjs`);
   return runsPage(title, runs);
 });

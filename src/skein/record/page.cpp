@@ -73,9 +73,10 @@ Result<void> write_page(PageKind kind, const std::string& title,
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       // Nothing may be fetched: the page is the same with and without a network. The map
-      // has a worker, of this page too.
+      // has a worker, which it reads from this page.
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
       "style-src 'unsafe-inline'; script-src 'unsafe-inline'; worker-src blob:; "
+      "connect-src blob:; "
       "img-src data: blob:\">\n"
       "<title>" +
       escaped(title) + "</title>\n<style>";

@@ -66,6 +66,14 @@ test("an aircraft is where it was, between the frames around a time, whichever w
   }
 });
 
+test("the time of a recording is its player's, whatever clock it is given", () => {
+  const { world, recording: run } = make(new ArrayBuffer(0), recording([0, frame(0, 0)], [1, frame(1, 20)]));
+  run.show(0.5);
+  world.take("run_clock", { time_s: 0.5, duration_s: 100, speed: 60, wanted_speed: 60, paused: true, over: false, misses: 0, headline: "" });
+  assert.equal(world.time, 0.5);
+  assert.equal(world.play.now(0), 0);
+});
+
 test("a recording that was cut is refused", () => {
   const whole = recording([0, event(0)]);
   assert.throws(() => make(whole.slice(0, whole.byteLength - 1), new ArrayBuffer(0)), RangeError);

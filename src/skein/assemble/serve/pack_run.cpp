@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr double kShortestStep = 1;   // between frames [s]
-constexpr double kMaxPlaces = 12000;  // of all aircraft in all frames
+constexpr double kMaxPlaces = 15000;  // of all aircraft in all frames
 constexpr double kReadAhead = 60;     // of the run, at once [s]
 constexpr float kHeightStep = 0.25F;  // of the ground [m]
 constexpr double kMargin = 1.1;       // around what is seen at first
