@@ -91,10 +91,11 @@ async function showsARun(place) {
     if (scheme === "light") {
       await movesThroughTime(page);
       await page.locator(".map-frame .maplibregl-canvas").focus();
-      await page.keyboard.press("d");
-      await until(page, "the third dimension", () => document.querySelector(".dimension").getAttribute("aria-pressed"), (on) => on === "true");
-      await page.waitForTimeout(4000);
-      await page.locator("#map").screenshot({ path: join(folder, "report-3d.png") });
+      for (const [what, state] of [["the third dimension", "true"], ["two dimensions", "false"]]) {
+        await page.keyboard.press("d");
+        await until(page, what, () => document.querySelector(".dimension").getAttribute("aria-pressed"), (on) => on === state);
+      }
+      check(true, "keys turn the map into three dimensions and back");
       const pictures = await page.evaluate(() => {
         window.dispatchEvent(new Event("beforeprint"));
         const count = document.querySelectorAll(".print-maps canvas").length;

@@ -25,7 +25,7 @@ export function printedMaps(holder: HTMLElement, player: Player, maps: () => Pri
     pictures = h("div", { class: "print-maps" },
       h("p", {}, "Red: true fire. Dashed blue: believed boundary, shaded: its 95 % band. Crosses: crossings of the last five minutes. " +
         "Squares: objects, filled once found. Diamonds: other aircraft; circles: where they are believed, amber and red with an alert. " +
-        "Lines behind aircraft: their flight of late."), ...figures);
+        "Lines behind aircraft: their recent flight."), ...figures);
     holder.append(pictures);
   });
   window.addEventListener("afterprint", () => {

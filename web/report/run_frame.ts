@@ -12,7 +12,7 @@ import { floats, type RunData } from "./data";
 import { h, number } from "./dom";
 import { unpacked } from "./unpack";
 
-const kMany = 20; // from so many aircraft on, tracks of late are short at first
+const kMany = 20; // from so many aircraft on, recent tracks are short at first
 const kShortTail = 15; // [s]
 
 /** A run that can be shown, with its figures over time. */
@@ -105,7 +105,8 @@ export class RunFrame {
     this.element.replaceChildren(
       h("div", { class: "map-bar" }, this.options.bar(this),
         h("div", { class: "right" }, dimensionButton(view, () => this.options.dimension()), settingsMenu(view))),
-      stage, new Timeline(view, this.options.moves).element, ...(this.strip ? [this.strip.element] : []), this.status);
+      stage, new Timeline(view, this.options.moves).element, ...(this.strip ? [this.strip.element] : []),
+      ...(shown.metricTimes.length > 0 ? [this.status] : []));
   }
 
   /** What is said of a time. */

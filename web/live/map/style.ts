@@ -29,6 +29,7 @@ export function mapStyle(terrain: Terrain | null, dark: boolean, zoneColour: str
   const none = { type: "FeatureCollection", features: [] };
   return {
     version: 8,
+    transition: { duration: 0, delay: 0 }, // a picture for paper is taken at once
     sources: {
       ...(terrain ? { heights: { type: "raster-dem", tiles: [terrain.tiles], tileSize: 512, encoding: "terrarium",
         maxzoom: terrain.maxZoom(), minzoom: 8, bounds: terrain.bounds() },

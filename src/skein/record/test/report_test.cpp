@@ -392,11 +392,12 @@ TEST(Report, NamesEveryRunThatCannotBeRead) {
 fs::path compared_run(const TemporaryFolder& folder, const std::string& estimator,
                       const std::string& wind) {
   const fs::path directory = folder.path() / (estimator + wind);
-  const RunInfo info{"1", 5, "n",
-                     "origin:\n  latitude_deg: 1\nenvironment:\n  wind: " + wind +
-                         "\nmonitoring:\n  estimator:\n    kind: " + estimator +
-                         "\n  strategy: sweep\n",
-                     ""};
+  const RunInfo info{
+      "1", 5, "n",
+      "origin:\n  latitude_deg: 1\nenvironment:\n  wind: " + wind +
+          "\nmissions:\n  - kind: perimeter\n    estimator:\n      kind: " + estimator +
+          "\n    strategy: sweep\n",
+      ""};
   auto recorder = RunRecorder::create(directory, info).value();
   record_sample(*recorder, estimator == "joint" ? 120 : 150);
   EXPECT_TRUE(recorder->close());
