@@ -45,10 +45,11 @@ export class Timeline {
   private readonly tip = h("div", { class: "timeline-tip", hidden: true });
   private shown = "";
 
-  /** @param moves  it has what moves through the time, too */
-  constructor(private readonly view: RunView, moves = view.run.replay) {
+  /** @param isOneOfSeveral  what moves through the time is elsewhere, for all of them */
+  constructor(private readonly view: RunView, isOneOfSeveral = false) {
+    const moves = view.run.replay && !isOneOfSeveral;
     const stack = h("div", { class: "timeline-stack" }, this.canvas, this.tip, moves ? timeSlider(view) : null);
-    this.element = h("section", { class: "timeline", "aria-label": T.timeline.title }, moves ? replayButtons(view) : null, stack);
+    this.element = h("div", { class: "timeline", role: isOneOfSeveral ? "group" : "region", "aria-label": T.timeline.title }, moves ? replayButtons(view) : null, stack);
     this.canvas.addEventListener("pointermove", (event) => this.point(event));
     this.canvas.addEventListener("pointerleave", () => { this.tip.hidden = true; });
     this.canvas.addEventListener("click", (event) => {

@@ -48,7 +48,7 @@ export class MapPanel {
     this.player.time = this.player.end; // the first look is at the result; playing starts at the beginning
     const single = all.length === 1, dimension = () => this.turn();
     this.frames = all.slice(0, kFrames).map((shown) => new RunFrame(shown, this.player, {
-      bar: (frame) => (single ? timeControls(frame.view) : this.choice(frame)), moves: single, dimension,
+      bar: (frame) => (single ? timeControls(frame.view) : this.choice(frame)), isOneOfSeveral: !single, dimension,
     }));
     this.element.append(...(single ? [] : [this.bar]), h("div", { class: "map-frames" }, ...this.frames.map(({ element }) => element)));
     this.join();

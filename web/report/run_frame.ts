@@ -52,8 +52,8 @@ function figuresAt({ metricTimes, metrics }: ShownRun, time: number): string {
 export interface FrameOptions {
   /** What stands in the bar above the map. */
   bar: (frame: RunFrame) => HTMLElement;
-  /** The timeline has what moves through the time, too. */
-  moves: boolean;
+  /** It stands beside others: what moves through the time is elsewhere. */
+  isOneOfSeveral: boolean;
   /** Turns the map into three dimensions and back. */
   dimension: () => void;
 }
@@ -105,7 +105,7 @@ export class RunFrame {
     this.element.replaceChildren(
       h("div", { class: "map-bar" }, this.options.bar(this),
         h("div", { class: "right" }, dimensionButton(view, () => this.options.dimension()), settingsMenu(view))),
-      stage, new Timeline(view, this.options.moves).element, ...(this.strip ? [this.strip.element] : []),
+      stage, new Timeline(view, this.options.isOneOfSeveral).element, ...(this.strip ? [this.strip.element] : []),
       ...(shown.metricTimes.length > 0 ? [this.status] : []));
   }
 
