@@ -12,6 +12,7 @@ constexpr double kPlace = 1.0 / 16;       // [m]
 constexpr double kDirection = 1.0 / 512;  // of unit vectors
 constexpr double kAngle = 1.0 / 4;        // [degrees]
 constexpr double kCharge = 1.0 / 128;
+constexpr double kAhead = 1.0 / 8;  // of paths [s]
 // An aircraft that has been heard of so lately need not say when.
 constexpr double kLately = 4;  // [s]
 // Of true perimeters: this share of their size, at least half a metre.
@@ -146,6 +147,12 @@ struct ForMap {
     r.belief.horizontal_sd = rounded(r.belief.horizontal_sd, kPlace);
     r.belief.vertical_sd = rounded(r.belief.vertical_sd, kPlace);
     r.belief.velocity_sd = 0;
+    return r;
+  }
+  Shown operator()(FlightPathRecord r) const {
+    for (PathPoint& p : r.path.points)
+      p = {rounded(p.ahead, kAhead), rounded(p.north, kPlace), rounded(p.east, kPlace),
+           rounded(p.altitude_msl, kPlace)};
     return r;
   }
   Shown operator()(PerimeterRecord r) const {

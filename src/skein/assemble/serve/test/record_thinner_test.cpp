@@ -85,6 +85,20 @@ TEST(MapRecord, SimplifiedLinesStayWithinTheTolerance) {
   EXPECT_EQ(simplified(ring, 0), ring);
 }
 
+TEST(MapRecord, RoundsPathsAhead) {
+  const FlightPathRecord path{
+      Time::from_seconds(3), EntityId{1}, {{{1.01F, 10.03F, -20.04F, 300.01F}}, true}};
+  const auto shown = for_map(path);
+  ASSERT_TRUE(shown);
+  const auto& record = std::get<FlightPathRecord>(*shown);
+  ASSERT_EQ(record.path.points.size(), 1U);
+  EXPECT_EQ(record.path.points[0].ahead, 1);
+  EXPECT_EQ(record.path.points[0].north, 10);
+  EXPECT_EQ(record.path.points[0].east, -20.0625F);
+  EXPECT_EQ(record.path.points[0].altitude_msl, 300);
+  EXPECT_TRUE(record.path.ends);
+}
+
 TEST(MapRecord, LeavesOutWhatNoMapShows) {
   EXPECT_FALSE(for_map(BandRecord{}));
   EXPECT_FALSE(for_map(MessageRecord{})) << "no order";
