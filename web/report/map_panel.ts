@@ -115,4 +115,4 @@ export class MapPanel {
 
 /** What stands in place of the map of a browser that cannot draw it. */
 export const noMap = (problem: unknown): HTMLElement =>
-  h("p", { class: "failure", role: "status" }, problem instanceof Error && problem.message ? problem.message : T.map.noWebgl);
+  h("p", { class: "failure", role: "status" }, /WebGL/.test(String(problem)) ? T.map.noWebgl : String(problem));
