@@ -5,6 +5,7 @@
 #include "app/output.h"
 #include "skein/assemble/serve/replay_player.h"
 #include "skein/assemble/serve/run_page.h"
+#include "skein/assemble/serve/terrain_bytes.h"
 
 namespace skein::app {
 namespace {
@@ -23,16 +24,6 @@ struct ReplayArguments {
   assemble::ServeOptions page;
 };
 
-assemble::TerrainPatch patch_of(const record::TerrainRow* stored) {
-  assemble::TerrainPatch patch;
-  if (!stored || stored->rows != stored->columns) return patch;
-  patch.rows = stored->rows;
-  patch.low = stored->low;
-  patch.spacing = stored->spacing;
-  patch.heights = stored->heights;
-  return patch;
-}
-
 int replay_command(const ReplayArguments& arguments, const std::atomic<bool>& stop) {
   auto recorded = record::RecordStream::open(arguments.run);
   if (!recorded) return say_error(recorded.error());
@@ -47,7 +38,7 @@ int replay_command(const ReplayArguments& arguments, const std::atomic<bool>& st
       return say_error(read.error());
   const auto page = assemble::RunPage::open(
       options, assemble::facts_of(*scenario, recorded.value(),
-                                  patch_of(recorded.value().terrain())));
+                                  assemble::patch_of(recorded.value().terrain())));
   if (!page) return say_error(page.error());
   complain("The page: {}\n", page.value()->place());
   const auto played =

@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
+#include "skein/assemble/serve/pack_run.h"
 #include "skein/record/report.h"
 
 namespace skein::app {
@@ -8,7 +9,7 @@ namespace skein::app {
 int report_command(const std::vector<std::filesystem::path>& runs,
                    const std::filesystem::path& out) {
   const std::filesystem::path page = out.empty() ? runs.front() / "report.html" : out;
-  if (auto written = record::write_report(runs, page); !written)
+  if (auto written = record::write_report(runs, page, assemble::report_map); !written)
     return say_error(written.error());
   print("Written: {}\n", page.string());
   return kDone;

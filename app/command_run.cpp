@@ -13,6 +13,7 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/read_command.h"
 #include "skein/assemble/run.h"
+#include "skein/assemble/serve/pack_run.h"
 #include "skein/assemble/serve/run_page.h"
 #include "skein/base/log.h"
 #include "skein/layer/hmi/terminal_console.h"
@@ -278,7 +279,9 @@ int finish(const RunArguments& arguments, const fs::path& folder,
       (folder / "run.sqlite").string() + "  summary.json  scenario.yaml";
   if (arguments.report) {
     const std::vector<fs::path> runs = {folder};
-    if (auto report = record::write_report(runs, folder / "report.html"); !report) {
+    if (auto report =
+            record::write_report(runs, folder / "report.html", assemble::report_map);
+        !report) {
       say_error(report.error());
       return kFailed;
     }

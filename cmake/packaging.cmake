@@ -16,5 +16,5 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME skein-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "skein (= ${PROJECT_VERSION}), cmake, pkg-config, libeigen3-dev, libfmt-dev, libspdlog-dev, libtbb-dev, libgdal-dev, libyaml-cpp-dev, libsqlite3-dev, libgeographiclib-dev, libpolyclipping-dev, libxxhash-dev, libssl-dev, libsodium-dev")
+    "skein (= ${PROJECT_VERSION}), cmake, pkg-config, libeigen3-dev, libfmt-dev, libspdlog-dev, libtbb-dev, libgdal-dev, libyaml-cpp-dev, libsqlite3-dev, libgeographiclib-dev, libpolyclipping-dev, libxxhash-dev, libssl-dev, zlib1g-dev, libsodium-dev")
 include(CPack)

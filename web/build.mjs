@@ -5,6 +5,7 @@ import { writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
+import { textFunction } from "./cpp_text.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const [folder, namespace, output] = process.argv.slice(2);
@@ -20,20 +21,7 @@ const result = await build({
   outdir: here,
   write: false,
 });
-
-// String literals end at 64 kB in some compilers: pieces are joined by the compiler.
-function literal(text) {
-  const pieces = [];
-  for (let i = 0; i < text.length; i += 8000)
-    pieces.push(`R"skein_(${text.slice(i, i + 8000)})skein_"`);
-  return pieces.join("\n    ");
-}
-
-function content(extension) {
-  const text = result.outputFiles.find((file) => file.path.endsWith(extension)).text;
-  if (text.includes(')skein_"')) throw new Error("the bundle contains the literal's end");
-  return text;
-}
+const content = (extension) => result.outputFiles.find((file) => file.path.endsWith(extension)).text;
 
 writeFileSync(
   output,
@@ -42,18 +30,8 @@ writeFileSync(
 
 namespace skein::${namespace} {
 
-std::string_view page_script() {
-  static constexpr std::string_view text =
-    ${literal(content(".js"))};
-  return text;
-}
-
-std::string_view page_style() {
-  static constexpr std::string_view text =
-    ${literal(content(".css"))};
-  return text;
-}
-
+${textFunction("page_script", content(".js"))}
+${textFunction("page_style", content(".css"))}
 }  // namespace skein::${namespace}
 `,
 );

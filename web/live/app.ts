@@ -1,48 +1,33 @@
-/** What all parts of the page share: the run, the world, the connection, the map, commands. */
+/** What all parts of the operator's page share: the run and its map, the connection, commands, drawings. */
 import { Connection, type Sent } from "./connection";
 import { Frame } from "./frames";
 import { Drawing } from "./map/drawing";
-import { MapView } from "./map/map_view";
 import { drawPreview } from "./map/paths";
-import { MapTools } from "./map/tools";
 import { Terrain } from "./map/terrain";
 import { Previews } from "./previews";
 import type { RunDescription, What } from "./protocol";
-import { loadSettings, saveSettings, type Settings } from "./settings";
 import { T } from "./texts";
-import { Units } from "./units";
+import { RunView } from "./view";
 import { Decoder, type Table } from "./wire";
 import { kTable } from "./wire_table";
-import { World, type KeptEvent } from "./world";
+import { World } from "./world";
 
-export class App {
-  readonly settings: Settings = loadSettings();
-  readonly units = new Units(this.settings);
-  readonly frame: Frame;
-  readonly world: World;
+export class App extends RunView {
+  readonly speeds = [0.25, 0.5, 1, 2, 4, 10, 20, 50, 0];
+  readonly seeksAtOnce = false;
   readonly connection: Connection;
-  readonly map: MapView;
-  readonly tools: MapTools;
   readonly drawing: Drawing;
   readonly previews: Previews;
   showPanel: (name: string) => void = () => undefined;
-  /** Called a few times a second for parts that show numbers. */
-  private readonly tickers: ((wall: number) => void)[] = [];
-  private readonly kinds = new Map<string, { hovers: boolean; radius: number }>();
 
-  constructor(readonly run: RunDescription, readonly terrain: Terrain | null, frame: Frame) {
-    this.frame = frame;
+  constructor(run: RunDescription, terrain: Terrain | null, frame: Frame) {
     const decoder = new Decoder(kTable as Table);
-    this.world = new World(frame, decoder, kTable);
+    super(run, terrain, new World(frame, decoder, kTable));
     const url = new URL("live", location.href);
     url.protocol = location.protocol === "https:" ? "wss:" : "ws:";
     url.search = url.hash = "";
     this.connection = new Connection(url.href, decoder, (kind, value) => this.world.take(kind, value));
     this.world.onReply = (reply) => this.connection.reply(reply);
-    for (const { name, kind, hovers, safety_radius_m } of run.aircraft)
-      this.kinds.set(name, { hovers: hovers ?? /copter|quad|hexa|rotor|multi/i.test(kind), radius: safety_radius_m ?? 0 });
-    this.map = new MapView(run, this.world, terrain, this.settings);
-    this.tools = new MapTools(this, this.map);
     this.drawing = new Drawing(this);
     this.previews = new Previews(this);
     this.map.extras.push((c, view) => {
@@ -52,9 +37,7 @@ export class App {
       const drawn = this.drawing.drawn()?.geometry;
       return drawn?.kind === "line" ? drawn.points : drawn?.kind === "area" ? drawn.rings[0] : null;
     };
-    this.map.labelText = (row) => this.label(row);
     this.connection.beforeOpen = () => this.sameRun();
-    window.setInterval(() => this.tick(), 250);
   }
 
   // After the server has restarted it may have another run: the page begins anew then.
@@ -67,83 +50,6 @@ export class App {
     return true;
   }
 
-  every(ticker: (wall: number) => void): void {
-    this.tickers.push(ticker);
-  }
-
-  private tick(): void {
-    this.dress();
-    const wall = performance.now() / 1000;
-    for (const ticker of this.tickers) ticker(wall);
-  }
-
-  saveSettings(): void {
-    saveSettings(this.settings);
-  }
-
-  // Icons by kind and reality, safety zones: they follow from what is known of the entity.
-  private dressed = -1;
-  private dressedCount = -1;
-  private dress(): void {
-    const { fleet, truth, entities, version } = this.world;
-    if (this.dressed === version.entities && this.dressedCount === fleet.count + truth.count) return;
-    this.dressed = version.entities;
-    this.dressedCount = fleet.count + truth.count;
-    for (const each of [fleet, truth])
-      for (let row = 0; row < each.count; ++row) {
-        const entity = entities.get(each.ids[row]), kind = this.kinds.get(entity?.name ?? "");
-        const reality = this.reality(each.ids[row]);
-        each.motion[row * 16 + 10] = (reality === "real" ? 8 : reality === "outside simulator" ? 4 : 0) + (kind?.hovers ? 1 : 0);
-        each.motion[row * 16 + 14] = each === fleet ? kind?.radius ?? 0 : 0;
-      }
-    fleet.version++;
-    truth.version++;
-  }
-
-  /** Real: a body in the physical world; outside simulator: it perceives both worlds, its body is not real. */
-  reality(id: number): "simulated" | "outside simulator" | "real" {
-    const entity = this.world.entities.get(id);
-    if (!entity) return "simulated";
-    if (entity.presence === "physical" || entity.presence === "both") return "real";
-    return entity.interaction === "both" || entity.updates === "both" || entity.updates === "physical" ? "outside simulator" : "simulated";
-  }
-
-  /** What an aircraft does, in a few words. */
-  doing(row: number): string {
-    const { fleet, tasks } = this.world, failsafe = fleet.word(row, "failsafe"), reaction = fleet.word(row, "reaction");
-    if (failsafe && failsafe !== "none") {
-      const does = T.task.reactions[reaction];
-      return `${T.task.failsafes[failsafe] ?? failsafe}${does ? `, ${does}` : ""}`;
-    }
-    const mode = fleet.word(row, "mode");
-    if (mode === "manual" || mode === "stabilized") return mode;
-    const task = tasks.get(fleet.ids[row]);
-    return task ? T.task.verbs[task.what.kind] ?? task.what.kind : T.task.none;
-  }
-
-  private readonly text = { name: "", line: "", warned: false };
-  private label(row: number) {
-    this.text.name = this.world.name(this.world.fleet.ids[row]);
-    const silence = this.silence(row);
-    this.text.line = silence > 5 ? `${this.doing(row)}, ${T.fleet.age(this.units.seconds(silence))}` : this.doing(row);
-    this.text.warned = this.world.fleet.get(row, "failsafe") > 0;
-    return this.text;
-  }
-
-  /** Seconds since an aircraft was heard of. */
-  silence(row: number): number {
-    const { fleet } = this.world, heard = fleet.get(row, "heard_s"), age = fleet.get(row, "age_s") || 0;
-    return Number.isFinite(heard) ? Math.max(age, fleet.time - heard) : age;
-  }
-
-  /** Shows who an event is about; a replay goes to its time. */
-  jumpTo(event: KeptEvent): void {
-    if (this.run.replay) this.seek(event.time_s);
-    if (this.world.fleet.row(event.entity_id) < 0) return;
-    this.map.select([event.entity_id]);
-    this.map.centreOn(event.entity_id);
-  }
-
   // Commands.
 
   get holds(): boolean {
@@ -154,6 +60,9 @@ export class App {
   }
   get mayCommand(): boolean {
     return this.role !== "viewer";
+  }
+  get mayMoveTime(): boolean {
+    return this.mayCommand;
   }
 
   command(command: Record<string, unknown>, text: string): Sent {
@@ -185,7 +94,7 @@ export class App {
 
 /** Loads what the page needs before it can show anything. */
 export async function load(run: RunDescription): Promise<App> {
-  const frame = new Frame(run.origin);
+  const frame = new Frame(run.origin!);
   const terrain = await Terrain.load("api/terrain", frame).catch(() => null);
   return new App(run, terrain, frame);
 }

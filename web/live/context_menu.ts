@@ -1,20 +1,23 @@
 /** What can be done at a place of the map: by the right button, or a long press. */
 import { clock, h } from "../report/dom";
-import type { App } from "./app";
 import { latLonText, mgrsText } from "./frames";
 import { askArrival } from "./geo/arrival";
 import type { Here } from "./map/map_view";
 import { T } from "./texts";
 import { button } from "./ui";
+import type { RunView } from "./view";
 
-export function contextMenu(app: App, stage: HTMLElement): void {
+/** What may be done there besides asking: what it says, and what it does. */
+export type PlaceActions = (place: { north_m: number; east_m: number }) => [text: string, action: () => void][];
+
+export function contextMenu(view: RunView, stage: HTMLElement, actions: PlaceActions = () => []): void {
   let menu: HTMLElement | null = null;
   const close = () => {
     menu?.remove();
     menu = null;
   };
   const answer = (here: Here): string => {
-    const asked = askArrival(app.world, here.north_m, here.east_m);
+    const asked = askArrival(view.world, here.north_m, here.east_m);
     if (!asked) return T.fire.noBelief;
     if (asked.burns) return T.fire.askedNow;
     if (asked.middle === null && asked.early === null) return T.fire.askedNever;
@@ -23,7 +26,6 @@ export function contextMenu(app: App, stage: HTMLElement): void {
   };
   const open = (here: Here) => {
     close();
-    const names = [...app.map.selected].map((id) => app.world.name(id)), place = { north_m: here.north_m, east_m: here.east_m };
     const item = (text: string, action: () => void) => button(text, () => { close(); action(); }, { role: "menuitem" });
     const said = h("p", { class: "hint", role: "status" });
     menu = h("div", { class: "context-menu", role: "menu", "aria-label": T.map.menu, tabindex: -1, onkeydown: (event) => {
@@ -39,10 +41,7 @@ export function contextMenu(app: App, stage: HTMLElement): void {
         items[(now + (key === "ArrowDown" ? 1 : -1) + items.length) % items.length]?.focus();
       }
     } },
-    ...(app.mayCommand && names.length > 0 ? [
-      item(T.map.flyHere(names.join(", ")), () => { for (const name of names) app.giveTask(name, { kind: "fly_to", ...place } as never); }),
-      item(T.map.orbitHere(names.join(", ")), () => { for (const name of names) app.giveTask(name, { kind: "loiter", ...place } as never); }),
-    ] : []),
+    ...actions({ north_m: here.north_m, east_m: here.east_m }).map(([text, action]) => item(text, action)),
     button(T.map.arrivalHere, () => { said.textContent = answer(here); }, { role: "menuitem" }));
     const holder = h("div", { class: "context-holder" }, menu, said, h("p", { class: "hint" }, latLonText(here), h("br"), mgrsText(here)));
     stage.append(holder);
@@ -52,20 +51,20 @@ export function contextMenu(app: App, stage: HTMLElement): void {
     holder.style.top = `${Math.max(4, Math.min(here.y, height - holder.offsetHeight - 40))}px`;
     holder.querySelector<HTMLElement>("[role=menuitem]")?.focus({ preventScroll: true });
   };
-  app.map.onContext = open;
+  view.map.onContext = open;
   document.addEventListener("pointerdown", (event) => { if (menu && !menu.contains(event.target as Node)) close(); });
   document.addEventListener("keydown", (event) => { if (event.key === "Escape") close(); });
 
   // A finger has no right button.
   let timer = 0;
-  const canvas = app.map.map.getCanvas();
+  const canvas = view.map.map.getCanvas();
   canvas.addEventListener("touchstart", (event) => {
     clearTimeout(timer);
     if (event.touches.length !== 1) return;
     const { clientX, clientY } = event.touches[0], box = canvas.getBoundingClientRect(), x = clientX - box.left, y = clientY - box.top;
     timer = window.setTimeout(() => {
-      const at = app.map.map.unproject([x, y]);
-      open({ ...app.map.place(at.lng, at.lat), x, y });
+      const at = view.map.map.unproject([x, y]);
+      open({ ...view.map.place(at.lng, at.lat), x, y });
     }, 650);
   }, { passive: true });
   for (const name of ["touchmove", "touchend", "touchcancel"]) canvas.addEventListener(name, () => clearTimeout(timer), { passive: true });

@@ -5,6 +5,7 @@
  * objects would keep the garbage collector busy.
  */
 import type { Frame } from "./frames";
+import { Tracks } from "./tracks";
 import { Decoder, type Columns, type Reader } from "./wire";
 
 /** Floats of an aircraft in `Fleet.motion`: the place before and now, headings, state. */
@@ -13,6 +14,8 @@ export const kMotion = 16;
 export const kBefore = 0, kNow = 4, kHeadings = 8, kIcon = 10, kTint = 11, kGround = 12, kHeard = 13, kRadius = 14;
 
 const kTailPoint = 4; // x, y, altitude, time
+/** Points of a tail, a second apart at least, by the number of aircraft. */
+const kTails: [upTo: number, length: number][] = [[8, 300], [40, 120], [300, 40], [Infinity, 12]];
 
 /** Tails fill whole rows of a texture. */
 function tailArray(capacity: number, length: number): Float32Array {
@@ -46,8 +49,13 @@ export class Fleet {
   warnedTint = 8;
   plainTint = 9;
 
+  /** Frames that are farther apart say nothing of the time between them [s]. */
+  gap = 5;
+  /** All of the way, for those who want to see it. */
+  readonly tracks: Tracks | null;
+
   // Tails: of each aircraft a ring of places, its first repeated at the end.
-  tailLength = 120;
+  tailLength = kTails[0][1];
   tails: Float32Array;
   tailHead: Int32Array;
   tailVersion = 0;
@@ -59,6 +67,7 @@ export class Fleet {
     this.columns = decoder.columns(list[1].slice(1, -2));
     this.columns.names.forEach((name, k) => { this.column[name] = k; });
     if (!withTails) this.tailLength = 0;
+    this.tracks = withTails ? new Tracks() : null;
     this.rows = new Float64Array(this.capacity * this.columns.width);
     this.scratch = new Float64Array(this.columns.width);
     this.motion = new Float32Array(this.capacity * kMotion);
@@ -73,6 +82,7 @@ export class Fleet {
     this.rowOf.clear();
     this.tails.fill(0);
     this.tailHead.fill(-1);
+    this.tracks?.clear();
     this.version++;
     this.tailVersion++;
   }
@@ -121,8 +131,8 @@ export class Fleet {
     this.ids[row] = id;
     this.motion.fill(0, row * kMotion, (row + 1) * kMotion);
     if (this.tailLength > 0) {
-      if (this.count > 300 && this.tailLength > 12) this.setTailLength(12, false);
-      else if (this.count > 40 && this.tailLength > 40) this.setTailLength(40, false);
+      const length = kTails.find(([upTo]) => this.count <= upTo)![1];
+      if (length < this.tailLength) this.setTailLength(length, false);
     }
     this.onNew(id, row);
     return row;
@@ -153,6 +163,7 @@ export class Fleet {
     this.tails.fill(0);
     this.tailHead.fill(-1);
     this.tailVersion++;
+    this.tracks?.clear();
     for (let row = 0; row < this.count; ++row) this.motion[row * kMotion + kNow + 3] = -1e9;
   }
 
@@ -170,7 +181,7 @@ export class Fleet {
   private move(row: number, time: number, fresh: boolean): void {
     const m = this.motion, at = row * kMotion, { column, rows } = this, from = row * this.columns.width;
     const north = rows[from + column.north_m], east = rows[from + column.east_m];
-    const jumped = fresh || time - this.epoch - m[at + kNow + 3] > 5;
+    const jumped = fresh || time - this.epoch - m[at + kNow + 3] > this.gap;
     if (!jumped) {
       m.copyWithin(at + kBefore, at + kNow, at + kNow + 4);
       m[at + kHeadings] = m[at + kHeadings + 1];
@@ -186,6 +197,7 @@ export class Fleet {
     const heard = rows[from + column.heard_s], age = rows[from + column.age_s];
     m[at + kHeard] = (heard === heard ? Math.min(heard, time - (age || 0)) : time - (age || 0)) - this.epoch;
     m[at + kTint] = rows[from + column.failsafe] > 0 ? this.warnedTint : this.count <= 8 ? row % 8 : this.plainTint;
+    this.tracks?.add(this.ids[row], m[at + kNow], m[at + kNow + 1], m[at + kNow + 2], time);
     if (this.tailLength > 0) this.trail(row, jumped && !fresh);
   }
 
@@ -224,11 +236,16 @@ export class Fleet {
   }
 }
 
+/** The simulated time that is drawn. */
+export interface ShownTime {
+  now(wall: number): number;
+}
+
 /**
- * The simulated time that is drawn: it runs smoothly behind the newest frame by as long as frames
+ * The same of a run that goes on elsewhere: it runs smoothly behind the newest frame by as long as frames
  * are apart, so that there is always one to go toward.
  */
-export class PlayTime {
+export class PlayTime implements ShownTime {
   private anchor = 0;
   private anchorWall = 0;
   private newest = 0;
@@ -238,6 +255,7 @@ export class PlayTime {
   private begun = false;
   paused = false;
 
+  /** A frame of this time has come. */
   frame(time: number, wall: number): void {
     const dt = time - this.newest, dw = wall - this.newestWall;
     if (!this.begun || dt < 0 || dt > Math.max(30, 20 * this.gap)) {

@@ -10,8 +10,10 @@ function typing(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && (target.isContentEditable || /^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName) && (target as HTMLInputElement).type !== "checkbox" || target.closest("dialog") !== null);
 }
 
-export function listenToKeys(keys: Keys, first: (event: KeyboardEvent) => boolean): void {
-  document.addEventListener("keydown", (event) => {
+/** @param where  whose keys they are: of the page, or of a part of it that has the focus */
+export function listenToKeys(keys: Keys, first: (event: KeyboardEvent) => boolean, where: Document | HTMLElement = document): void {
+  where.addEventListener("keydown", (of) => {
+    const event = of as KeyboardEvent;
     if (event.defaultPrevented) return;
     if (!typing(event.target) && first(event)) return event.preventDefault();
     if (typing(event.target) || event.altKey || event.metaKey) return;

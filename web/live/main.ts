@@ -1,6 +1,7 @@
 /** Starts the page: asks what is run, logs in where a token is wanted, puts the parts together. */
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
+import { setWorkerUrl } from "maplibre-gl";
 import { h } from "../report/dom";
 import { load } from "./app";
 import { login } from "./login";
@@ -42,5 +43,6 @@ async function start(): Promise<void> {
   }
 }
 
+setWorkerUrl("worker.js");
 applyTheme(loadSettings().theme);
 void start();

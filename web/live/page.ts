@@ -35,7 +35,11 @@ export function build(app: App, root: HTMLElement): void {
   const stage = h("main", { class: "stage" }, app.map.element, controls.element, alerts.element, mapFoot(app), app.tools.hint, toasts);
   root.className = "app";
   root.replaceChildren(topBar(app, { dimension, help: showKeys, panels: togglePanels }), stage, dock.element, timeline.element);
-  contextMenu(app, stage);
+  contextMenu(app, stage, (place) => {
+    const names = [...app.map.selected].map((id) => app.world.name(id));
+    const giveAll = (kind: string) => () => { for (const name of names) app.giveTask(name, { kind, ...place } as never); };
+    return app.mayCommand && names.length > 0 ? [[T.map.flyHere(names.join(", ")), giveAll("fly_to")], [T.map.orbitHere(names.join(", ")), giveAll("loiter")]] : [];
+  });
   listenToKeys({
     " ": () => app.pause(!app.world.clock.paused), ".": () => app.step(1),
     ...Object.fromEntries(panels.map(([name], k) => [String(k + 1), () => showPanel(name)])),

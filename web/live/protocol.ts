@@ -39,13 +39,13 @@ export interface RunDescription {
   replay: boolean;
   duration_s: number;
   start_utc: string;
-  origin: Origin;
+  origin: Origin | null; // null: not known, in a file
   centre: { north_m: number; east_m: number };
   extent_m: number;
   missions: { name: string; kind: string }[];
   aircraft: RunAircraft[];
   task_kinds: TaskForm[];
-  imagery?: string; // address of pictures of the ground, with {z}, {x}, {y}; empty: none
+  imagery?: string; // address of pictures of the ground, with {z}, {x}, {y}; empty: none; a file cannot have any
   you: { role: Role; name: string };
 }
 

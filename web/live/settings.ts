@@ -13,6 +13,7 @@ export interface Layers {
   crossings: boolean;
   readings: boolean;
   tails: boolean;
+  tracks: boolean;
   tasks: boolean;
   paths: boolean;
   safety: boolean;
@@ -40,7 +41,7 @@ const kDefaults: Settings = {
   theme: "auto", units: "metric", sound: true, tail: 120, imagery: true, position: "latlon",
   layers: {
     terrain: true, truth: true, belief: true, band: true, sigmas: true, forecasts: true, forecastBands: false, horizon: 0,
-    crossings: true, readings: true, tails: true, tasks: true, paths: true, safety: true, footprints: true, objects: true, traffic: true,
+    crossings: true, readings: true, tails: true, tracks: false, tasks: true, paths: true, safety: true, footprints: true, objects: true, traffic: true,
     missions: true, zones: true, names: true,
   },
 };

@@ -1,8 +1,8 @@
 /** All that is known of the run, built from the items of the feed. */
 import type { AirTraffic, Alert, Arrival, Conflict, Crossing, Entity, Event, Footprint, Forecast, GroundObject, ObjectBelief,
-  ObjectMotion, Perimeter, Planner, RadioLink, Reading, TeamAllocation, TeamLead, TrafficMotion, TrafficTrack,
+  ObjectMotion, Perimeter, Planner, RadioLink, Reading, RecommendationChange, TeamAllocation, TeamLead, TrafficMotion, TrafficTrack,
   ZoneRecord, Detection } from "../report/records";
-import { Fleet, PlayTime } from "./fleet";
+import { Fleet, PlayTime, type ShownTime } from "./fleet";
 import type { Frame } from "./frames";
 import type { Clients, CommandReply, FlightPath, MetricSample, MissionState, OrderMessage, RunClock, TaskOrder, TaskPreview, TaskReason } from "./protocol";
 import type { Decoder, Table } from "./wire";
@@ -29,6 +29,9 @@ export interface Link {
   quality: number;
 }
 
+/** A path that is recommended to the pilot of an aircraft. */
+export type Recommended = RecommendationChange;
+
 export interface KeptEvent extends Event {
   number: number;
   sender: string; // of a command; else empty
@@ -44,7 +47,6 @@ function commandText(command: Record<string, unknown>): string {
 export class World {
   readonly fleet: Fleet;
   readonly truth: Fleet;
-  readonly play = new PlayTime();
   clock: RunClock = { time_s: 0, duration_s: 0, speed: 0, wanted_speed: 1, paused: false, over: false, misses: 0, headline: "" };
   clients: Clients = { clients: [], holder: 0, you: 0 };
   /** False while the first full state is on its way. */
@@ -61,6 +63,8 @@ export class World {
   readonly objectMotions = new Map<number, ObjectMotion>();
   readonly objectBeliefs = new Map<number, ObjectBelief>();
   readonly detections: Detection[] = [];
+  readonly found = new Set<number>(); // objects that a camera has seen
+  readonly recommendations = new Map<number, Recommended>(); // by aircraft, while they stand
   readonly missions = new Map<string, MissionState>();
   readonly metrics = new Map<string, Map<string, Series>>(); // by mission and name
   readonly tasks = new Map<number, TaskOrder>();
@@ -82,13 +86,23 @@ export class World {
   private readonly ids = new Map<string, number>();
   private eventNumber = 0;
 
-  constructor(readonly frame: Frame, decoder: Decoder, table: Table) {
+  readonly play: ShownTime;
+  private readonly follower: PlayTime | null; // of a run that goes on elsewhere
+  /** Between frames, and tracks of others, that follow each other, where they were thinned [s]. */
+  readonly gap: number;
+
+  /** @param recorded  of a recording: its clock is exact */
+  constructor(readonly frame: Frame, decoder: Decoder, table: Table, private readonly recorded?: { play: ShownTime; gap: number }) {
+    this.follower = recorded ? null : new PlayTime();
+    this.play = recorded?.play ?? this.follower!;
+    this.gap = recorded?.gap ?? 0;
     for (const topic of ["clock", "entities", "fire", "forecast", "arrival", "zones", "missions", "events", "metrics", "links",
       "clients", "tasks", "objects", "traffic", "alerts", "allocations", "planners", "snapshot", "tracks", "paths"] as Topic[])
       this.version[topic] = 0;
     this.fleet = new Fleet(decoder, "fleet_frame", "FleetFrame", table, frame);
     this.truth = new Fleet(decoder, "truth_frame", "TruthFrame", table, frame, false);
-    this.fleet.onFrame = (time) => this.play.frame(time, performance.now() / 1000);
+    for (const each of [this.fleet, this.truth]) each.gap = Math.max(each.gap, 2.5 * this.gap);
+    this.fleet.onFrame = (time) => this.follower?.frame(time, performance.now() / 1000);
   }
 
   name(id: number): string {
@@ -97,8 +111,14 @@ export class World {
   id(name: string): number | undefined {
     return this.ids.get(name);
   }
+  /** The newest of which something is known. */
   get time(): number {
-    return Math.max(this.clock.time_s, this.fleet.time);
+    return this.recorded ? this.clock.time_s : Math.max(this.clock.time_s, this.fleet.time);
+  }
+
+  /** The zones that are in force at a time. */
+  zonesAt(time: number): ZoneRecord[] {
+    return [...this.zones.values()].filter(({ from_s, until_s }) => (from_s ?? -Infinity) <= time && time < (until_s ?? Infinity));
   }
 
   private clear(): void {
@@ -106,8 +126,9 @@ export class World {
     this.truth.clear();
     for (const map of [this.entities, this.perimeters, this.forecasts, this.arrivals, this.zones, this.objects, this.objectMotions,
       this.objectBeliefs, this.missions, this.metrics, this.tasks, this.paths, this.reasons, this.planners, this.footprints,
-      this.allocations, this.leads, this.alerts, this.links, this.traffic, this.trafficMotions, this.trafficTracks, this.ids])
+      this.allocations, this.leads, this.alerts, this.recommendations, this.links, this.traffic, this.trafficMotions, this.trafficTracks, this.ids])
       (map as Map<unknown, unknown>).clear();
+    this.found.clear();
     for (const list of [this.events, this.crossings, this.readings, this.detections, this.conflicts]) list.length = 0;
     for (const topic of Object.keys(this.version) as Topic[]) this.version[topic]++;
   }
@@ -124,7 +145,7 @@ export class World {
   private readonly takers: Record<string, (value: never) => void> = {
     run_clock: (clock: RunClock) => {
       this.clock = clock;
-      this.play.paused = clock.paused;
+      if (this.follower) this.follower.paused = clock.paused;
       this.touch("clock");
     },
     snapshot: ({ begins }: { begins: boolean }) => {
@@ -153,7 +174,10 @@ export class World {
       this.addEvent({ time_s: command.time_s, entity_id: -1, kind: "command", text: commandText(command as never) }, command.sender),
     crossing: (crossing: Crossing) => this.keep(this.crossings, crossing, kCrossingsKept, "tracks"),
     reading: (reading: Reading) => this.keep(this.readings, reading, kReadingsKept, "tracks"),
-    detection: (detection: Detection) => this.keep(this.detections, detection, kCrossingsKept, "objects"),
+    detection: (detection: Detection) => {
+      this.found.add(detection.object_id);
+      this.keep(this.detections, detection, kCrossingsKept, "objects");
+    },
     perimeter: (perimeter: Perimeter) => { this.perimeters.set(perimeter.mission, perimeter); this.touch("fire"); },
     forecast: (forecast: Forecast) => this.addForecast(forecast),
     arrival: (arrival: Arrival) => { this.arrivals.set(arrival.place, arrival); this.touch("arrival"); },
@@ -175,6 +199,14 @@ export class World {
       const key = `${alert.entity_id} ${alert.track}`;
       if (alert.level > 0) this.alerts.set(key, alert);
       else this.alerts.delete(key);
+      this.touch("alerts");
+    },
+    recommendation_change: (change: RecommendationChange) => {
+      const known = this.recommendations.get(change.entity_id);
+      // Where it leads is said once, when it is shown.
+      const path = change.path.length > 0 ? change.path : known?.number === change.number ? known.path : [];
+      if (change.state === "over") this.recommendations.delete(change.entity_id);
+      else this.recommendations.set(change.entity_id, { ...change, path });
       this.touch("alerts");
     },
     radio_link: (link: RadioLink) => this.addLink(link),

@@ -1,7 +1,7 @@
 /** When alerts stood, aircraft by aircraft, along the time of the player. */
+import type { Alerts } from "./alerts";
 import type { RunData } from "./data";
 import { clock, h } from "./dom";
-import type { Scene } from "./scene";
 
 export interface AlertStrip {
   element: HTMLElement;
@@ -12,17 +12,17 @@ const kClasses: Record<string, string> = { NEAR: "warning", MID: "corrective" };
 const kRowsShown = 12;
 
 /** One row for each alerted aircraft; null where there was no alert. A click shows that time. */
-export function alertStrip(run: RunData, scene: Scene, end: number, onPick: (time: number) => void): AlertStrip | null {
+export function alertStrip(run: RunData, alerts: Alerts, end: number, onPick: (time: number) => void): AlertStrip | null {
   const names = new Map(run.entities.map((entity) => [entity.entity_id, entity.name]));
-  const aircraft = scene.alerting.aircraft().filter((id) => scene.alerting.levels(id).some(({ level }) => level > 0));
+  const aircraft = alerts.aircraft().filter((id) => alerts.levels(id).some(({ level }) => level > 0));
   if (aircraft.length === 0 || end <= 0) return null;
   const percent = (time: number) => `${((100 * time) / end).toFixed(3)}%`;
   const cursors: HTMLElement[] = [];
   const rows = aircraft.slice(0, kRowsShown).map((id) => {
-    const levels = scene.alerting.levels(id);
+    const levels = alerts.levels(id);
     const marks = levels.flatMap(({ time, level, region }, i) => {
       if (level === 0) return [];
-      const until = levels[i + 1]?.time ?? scene.duration;
+      const until = levels[i + 1]?.time ?? run.duration_s;
       return [h("span", { class: `alert-mark ${kClasses[region ?? ""] ?? "preventive"}`,
         style: `left:${percent(time)};width:${percent(until - time)}`,
         title: `${names.get(id) ?? id}: alert ${level}, ${clock(time)} to ${clock(until)}` })];

@@ -1,76 +1,20 @@
 /** What the program puts into the page, and how its packed numbers are read. */
 
-import type { AirTraffic, Alert, Entity, Event, GroundObject, RecommendationChange } from "./records";
+import type { RunDescription } from "../live/protocol";
+import type { Alert, Entity, Event, RecommendationChange } from "./records";
+import { bytes } from "./unpack";
 
 /** Base64 of little-endian numbers of the kind that the field's comment names. */
 export type Packed = string;
 
-export interface Track {
-  entity: number;
-  start_s: number;
-  step_s: number;
-  north: Packed; // uint16, see MapData
-  east: Packed; // uint16
-  heading: Packed; // uint8, 256 = one turn
-  altitude: Packed; // uint16, -1000 m + 0.25 m * number
-}
-
-export interface Frame {
-  time_s: number;
-  rings: Packed[]; // truth: uint16 north, east; belief: north, east, normal, sigma
-}
-
-/** What a mission believed at one time about a later one. */
-export interface Forecast extends Frame { // rings: uint16 north, east
-  made_s: number;
-  mission: string;
-}
-
-export interface Terrain {
-  rows: number;
-  columns: number;
-  low_north_m: number;
-  low_east_m: number;
-  spacing_m: number;
-  low_m: number;
-  step_m: number;
-  heights: Packed; // uint16, height = low + step * number, row by row from the south
-}
-
-/** A thing on the ground and how it moved. */
-export interface MovingObject extends GroundObject {
-  motions: Packed; // float32: time, north, east, velocity north and east, of each
-}
-
-/** Another aircraft and how it flew. */
-export interface FlyingTraffic extends AirTraffic {
-  motions: Packed; // float32: time, north (NaN: it is not there), east, velocity north and east, of each
-}
-
-/** Places are uint16: coordinate = low + step * number. */
+/** What the map shows of a run: as a server would describe it, and messages of the live feed. Compressed and in base64. */
 export interface MapData {
-  low_north_m: number;
-  low_east_m: number;
-  step_m: number;
-  sigma_step_m: number;
-  tracks: Track[];
-  truth: Frame[];
-  belief: Frame[];
-  ahead: Forecast[]; // in order of made_s
-  crossings: { time_s: Packed; north: Packed; east: Packed }; // float32, uint16, uint16
-  objects: MovingObject[];
-  detections: { time_s: Packed; north: Packed; east: Packed; object: Packed }; // the same, uint16
-  traffic: FlyingTraffic[];
-  /** float32, of each firm track, in order of time: time, north, east, horizontal deviation, altitude, velocity
-   * north, east and up, believer, track. */
-  traffic_beliefs: Packed;
-  zones: { name: string; on_s: number; off_s: number | null; ring: Corner[] }[];
-  missions: { name: string; begun_s: number; areas: Corner[][]; lines: Corner[][] }[];
-  terrain?: Terrain;
+  run: RunDescription;
+  step_s: number; // between frames, and tracks of others, that follow each other
+  terrain: Packed; // as /api/terrain answers; empty: none
+  records: Packed; // messages, see live/recording.ts
+  frames: Packed;
 }
-
-/** North and east [m]. */
-export type Corner = [number, number];
 
 export type FlightColumn =
   "altitude_msl_m" | "airspeed_mps" | "cross_track_m" | "position_error_m" | "charge" | "reserve";
@@ -193,17 +137,11 @@ export interface StudyData {
   notes: string[];
 }
 
-export type PageData =
-  | { page: "runs"; title: string; runs: RunData[] }
-  | ({ page: "study" } & StudyData);
-
-function bytes(packed: Packed): ArrayBuffer {
-  const text = atob(packed);
-  const out = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) out[i] = text.charCodeAt(i);
-  return out.buffer;
+export interface RunsData {
+  title: string;
+  runs: RunData[];
 }
 
+export type PageData = RunsData | StudyData;
+
 export const floats = (packed: Packed) => new Float32Array(bytes(packed));
-export const shorts = (packed: Packed) => new Uint16Array(bytes(packed));
-export const octets = (packed: Packed) => new Uint8Array(bytes(packed));

@@ -2,7 +2,7 @@
  * relative altitude and alert, bands of tracks round the compass, of speeds, altitudes and vertical speeds on tapes. */
 import { kRegions, type Region } from "./alerts";
 import type { BandList, BandRow } from "./data";
-import type { Believed, Pose, Scene, Track } from "./scene";
+import type { Cockpit, OwnShip } from "./cockpit";
 
 /** As on displays in cockpits: dark, whatever the page is. */
 const kInk = {
@@ -14,45 +14,15 @@ const kRegionInk: Record<Region, string> = {
   NONE: kInk.ink, FAR: kInk.preventive, MID: kInk.corrective, NEAR: kInk.warning, RECOVERY: kInk.recovery,
 };
 const kDegree = Math.PI / 180;
-const kBelievedFor = 3; // a track that is not renewed is shown for so long [s]
 const kNear = 11000, kNearHeight = 366; // proximate traffic: 6 NM, 1200 ft [m]
 const kClimbs = 2.5; // an arrow says so [m/s]
 const kTape = 62, kClimbTape = 54, kGap = 12; // widths [px]
 
-/** How an aircraft of ours flies at a time. */
-export interface OwnShip {
-  pose: Pose;
-  track: number; // over ground [rad]
-  speed: number; // over ground [m/s]
-  climb: number; // [m/s]
-}
-
-const kDifference = 2; // seconds that motions are taken over
-
-/** The own ship by its true track; null when it does not fly then. */
-export function ownShip(scene: Scene, track: Track, time: number): OwnShip | null {
-  const pose = scene.pose(track, time);
-  if (!pose) return null;
-  const before = scene.pose(track, time - kDifference) ?? pose, after = scene.pose(track, time + kDifference) ?? pose;
-  const span = (before === pose ? 0 : kDifference) + (after === pose ? 0 : kDifference);
-  const north = after.north - before.north, east = after.east - before.east;
-  if (span === 0) return { pose, track: pose.heading, speed: 0, climb: 0 };
-  return {
-    pose, track: Math.hypot(north, east) > 0.1 ? Math.atan2(east, north) : pose.heading,
-    speed: Math.hypot(north, east) / span, climb: (after.altitude - before.altitude) / span,
-  };
-}
-
-/** The others to be shown: tracks of strangers, and the own team. */
-export function trafficAround(scene: Scene, track: Track, time: number): Believed[] {
-  return scene.believed(time, kBelievedFor, track.entity);
-}
-
 /** The range that shows who is alerted, else who is near [m]. */
-export function fittingRange(scene: Scene, track: Track, own: OwnShip, time: number): number {
-  const distances = trafficAround(scene, track, time).map((each) => ({
+export function fittingRange(cockpit: Cockpit, own: OwnShip, time: number): number {
+  const distances = cockpit.traffic(time).map((each) => ({
     distance: Math.hypot(each.north - own.pose.north, each.east - own.pose.east),
-    alert: scene.alerting.alert(track.entity, each.track, time),
+    alert: cockpit.alerts.alert(cockpit.aircraft, each.track, time),
   }));
   const alerted = distances.filter(({ alert }) => alert).map(({ distance }) => distance);
   const far = alerted.length > 0 ? Math.max(...alerted) : Math.min(7000, ...distances.map(({ distance }) => distance));
@@ -167,14 +137,14 @@ function drawSymbol(c: Context, x: number, y: number, symbol: Symbol): void {
 
 const signed = (value: number) => `${value < 0 ? "−" : "+"}${Math.abs(Math.round(value))}`;
 
-function drawOthers(c: Context, x: number, y: number, radius: number, range: number, scene: Scene, track: Track,
+function drawOthers(c: Context, x: number, y: number, radius: number, range: number, cockpit: Cockpit,
   own: OwnShip, time: number): void {
   const scale = radius / range;
   const place = (north: number, east: number): [number, number] => {
     const n = north - own.pose.north, e = east - own.pose.east, h = own.pose.heading;
     return [x + (-n * Math.sin(h) + e * Math.cos(h)) * scale, y - (n * Math.cos(h) + e * Math.sin(h)) * scale];
   };
-  const recommended = scene.alerting.recommendation(track.entity, time);
+  const recommended = cockpit.alerts.recommendation(cockpit.aircraft, time);
   c.save();
   c.beginPath();
   c.arc(x, y, radius, 0, 7);
@@ -192,9 +162,7 @@ function drawOthers(c: Context, x: number, y: number, radius: number, range: num
     c.stroke();
     c.setLineDash([]);
   }
-  scene.tracks.forEach((other, index) => {
-    const pose = other.entity !== track.entity ? scene.pose(other, time) : null;
-    if (!pose) return;
+  cockpit.team(time).forEach(({ name, pose }, index) => {
     const [px, py] = place(pose.north, pose.east);
     c.save();
     c.translate(px, py);
@@ -208,11 +176,11 @@ function drawOthers(c: Context, x: number, y: number, radius: number, range: num
     c.stroke();
     c.restore();
     // Neighbours in a row do not write over each other.
-    text(c, `${other.name} ${signed(pose.altitude - own.pose.altitude)}`, px, index % 2 === 0 ? py + 16 : py - 16, kInk.team,
+    text(c, `${name} ${signed(pose.altitude - own.pose.altitude)}`, px, index % 2 === 0 ? py + 16 : py - 16, kInk.team,
       "center", 11);
   });
-  const all = trafficAround(scene, track, time)
-    .map((each) => ({ each, alert: scene.alerting.alert(track.entity, each.track, time) }))
+  const all = cockpit.traffic(time)
+    .map((each) => ({ each, alert: cockpit.alerts.alert(cockpit.aircraft, each.track, time) }))
     .sort((a, b) => (a.alert?.level ?? 0) - (b.alert?.level ?? 0)); // the highest on top
   for (const { each, alert } of all) {
     const [px, py] = place(each.north, each.east);
@@ -309,16 +277,16 @@ function drawTape(c: Context, y: number, height: number, tape: Tape): void {
 }
 
 /** Draws the display of an aircraft; the context's units are CSS pixels. */
-export function drawPilotDisplay(c: Context, scene: Scene, track: Track, time: number, range: number,
+export function drawPilotDisplay(c: Context, cockpit: Cockpit, time: number, range: number,
   width: number, height: number): void {
   c.fillStyle = kInk.ground;
   c.fillRect(0, 0, width, height);
-  const own = ownShip(scene, track, time);
+  const own = cockpit.own(time);
   if (!own) {
-    text(c, `${track.name} does not fly at this time`, width / 2, height / 2, kInk.muted, "center", 14);
+    text(c, `${cockpit.name} does not fly at this time`, width / 2, height / 2, kInk.muted, "center", 14);
     return;
   }
-  const bands = scene.alerting.bands(track.entity, time);
+  const bands = cockpit.alerts.bands(cockpit.aircraft, time);
   const left = kGap + kTape + kGap, right = kGap + kTape + kGap + kClimbTape + kGap;
   const radius = Math.max(60, Math.min((width - left - right) / 2 - 14, height / 2 - 42));
   const x = left + (width - left - right) / 2, y = height / 2 + 14;
@@ -333,7 +301,7 @@ export function drawPilotDisplay(c: Context, scene: Scene, track: Track, time: n
     c.setLineDash([]);
   }
   const rangeText = (metres: number) => (metres < 1000 ? `${metres} m` : `${metres / 1000} km`);
-  drawOthers(c, x, y, radius, range, scene, track, own, time);
+  drawOthers(c, x, y, radius, range, cockpit, own, time);
   text(c, rangeText(range / 2), x + 0.5 * radius * 0.71 + 6, y + 0.5 * radius * 0.71 + 6, kInk.muted, "left", 11);
   drawCompass(c, x, y, radius, own, bands);
   drawOwn(c, x, y);
@@ -341,7 +309,7 @@ export function drawPilotDisplay(c: Context, scene: Scene, track: Track, time: n
   c.fillStyle = kInk.box;
   c.fillRect(x - 24, y - radius - 38, 48, 20);
   text(c, String(heading).padStart(3, "0"), x, y - radius - 28, kInk.ink, "center", 14);
-  text(c, `${track.name} · range ${rangeText(range)}`, x - radius, 14, kInk.muted, "left", 11);
+  text(c, `${cockpit.name} · range ${rangeText(range)}`, x - radius, 14, kInk.muted, "left", 11);
 
   const tapeHeight = 2 * radius * 0.86, tapeTop = y - tapeHeight / 2;
   drawTape(c, tapeTop, tapeHeight, { x: kGap, width: kTape, span: 40, step: 5, value: own.speed, bands: bands?.[7] ?? [],

@@ -1,59 +1,60 @@
 /** The panel with the display of one aircraft's pilot, at the time of the player. */
+import type { World } from "../live/world";
+import type { Alerts } from "./alerts";
+import { paint } from "./canvas";
+import { believers, Cockpit } from "./cockpit";
 import { clock, h, number } from "./dom";
-import { drawPilotDisplay, fittingRange, kRanges, ownShip } from "./pilot_display";
-import { paint } from "./player";
-import type { Scene, Track } from "./scene";
+import { drawPilotDisplay, fittingRange, kRanges } from "./pilot_display";
 
 export interface PilotPanel {
   element: HTMLElement;
-  showTime(time: number, scene: Scene): void;
+  showTime(time: number): void;
 }
 
 const kHeight = 460;
 
 /** What is said of the alerts that stand, in words. */
-function words(scene: Scene, track: Track, time: number): string[] {
-  const lines = scene.alerting.standing(track.entity, time).slice(0, 3).map((alert) => {
+function words({ alerts, aircraft }: Cockpit, time: number): string[] {
+  const lines = alerts.standing(aircraft, time).slice(0, 3).map((alert) => {
     const age = time - alert.time_s;
     const hour = ((Math.round((alert.bearing_deg ?? 0) / 30) + 11) % 12 + 12) % 12 + 1;
     return `Alert ${alert.level} about track ${alert.track} for ${Math.round(age)} s: it was at ${hour} o'clock, ` +
       `${number((alert.distance_m ?? 0) / 1000, 2)} km, ${Math.round(Math.abs(alert.height_m ?? 0))} m ` +
       `${(alert.height_m ?? 0) < 0 ? "below" : "above"}.`;
   });
-  const bands = scene.alerting.bands(track.entity, time);
+  const bands = alerts.bands(aircraft, time);
   if (bands && bands[2] !== null) lines.push(`Advised track ${String(Math.round(bands[2]) % 360).padStart(3, "0")}.`);
   if (bands && bands[5] !== null) lines.push(`Well clear again in ${Math.round(bands[5])} s by a track that is green.`);
-  const shown = scene.alerting.recommendation(track.entity, time);
+  const shown = alerts.recommendation(aircraft, time);
   if (shown) lines.push(`Recommended path (${shown.state}): ${shown.reason}.`);
   return lines;
 }
 
-/** Null where no aircraft has followed anybody or was shown anything. */
-export function pilotPanel(scene: Scene, end: number): PilotPanel | null {
-  const believers = new Set<number>(scene.alerting.aircraft());
-  for (let i = 8; i < scene.trafficBeliefs.length; i += 10) believers.add(scene.trafficBeliefs[i]);
-  const tracks = scene.tracks.filter((track) => believers.has(track.entity));
-  if (tracks.length === 0) return null;
+/** Null where no aircraft has followed anybody or was shown anything; the world is of the end of the run at first. */
+export function pilotPanel(world: World, alerts: Alerts): PilotPanel | null {
+  const all = [...new Set([...alerts.aircraft(), ...believers(world)])].sort((a, b) => a - b).filter((id) => world.fleet.row(id) >= 0)
+    .map((id) => new Cockpit(world, alerts, id));
+  if (all.length === 0) return null;
   // Who was alerted most is looked at first.
-  const worst = (track: Track) => Math.max(0, ...scene.alerting.levels(track.entity).map(({ level }) => level));
-  let track = tracks.reduce((best, each) => (worst(each) > worst(best) ? each : best));
-  let time = end, range = 0, shownScene = scene;
+  const worst = ({ aircraft }: Cockpit) => Math.max(0, ...alerts.levels(aircraft).map(({ level }) => level));
+  let cockpit = all.reduce((best, each) => (worst(each) > worst(best) ? each : best));
+  let time = world.time, range = 0;
   const canvas = h("canvas", { class: "pilot", role: "img", tabindex: 0 });
   const said = h("p", { class: "pilot-words" });
   const draw = () => {
     const width = canvas.clientWidth, height = canvas.clientHeight;
     if (width === 0 || height === 0) return;
-    const own = ownShip(shownScene, track, time);
-    const shown = range > 0 || !own ? range || 4000 : fittingRange(shownScene, track, own, time);
-    const lines = own ? words(shownScene, track, time) : [];
+    const own = cockpit.own(time);
+    const shown = range > 0 || !own ? range || 4000 : fittingRange(cockpit, own, time);
+    const lines = own ? words(cockpit, time) : [];
     said.textContent = lines.length > 0 ? lines.join(" ") : "No alert stands.";
-    canvas.setAttribute("aria-label", `Display of ${track.name} at ${clock(time)}. ${said.textContent}`);
-    paint(canvas, width, height, (context) => drawPilotDisplay(context, shownScene, track, time, shown, width, height));
+    canvas.setAttribute("aria-label", `Display of ${cockpit.name} at ${clock(time)}. ${said.textContent}`);
+    paint(canvas, width, height, (context) => drawPilotDisplay(context, cockpit, time, shown, width, height));
   };
   const choice = h("select", { "aria-label": "Aircraft", onchange: () => {
-    track = tracks[Number(choice.value)];
+    cockpit = all[Number(choice.value)];
     draw();
-  } }, ...tracks.map((each, i) => h("option", { value: i, selected: each === track }, each.name)));
+  } }, ...all.map((each, i) => h("option", { value: i, selected: each === cockpit }, each.name)));
   const ranges = h("select", { "aria-label": "Range", onchange: () => {
     range = Number(ranges.value);
     draw();
@@ -69,10 +70,8 @@ export function pilotPanel(scene: Scene, end: number): PilotPanel | null {
         "preventive, amber circle: corrective, red square: warning alert, each with its height above the own [m]; rings: " +
         "two deviations of where it is believed. Arcs and stripes: tracks, speeds, altitudes and vertical speeds that lead " +
         "into conflict; dashed green: recovery; green marks: advised. Magenta: recommended path. It shows the time of the map.")),
-    showTime: (now, which) => {
-      if (which !== shownScene && !which.tracks.includes(track)) return;
+    showTime: (now) => {
       time = now;
-      shownScene = which;
       draw();
     },
   };

@@ -5,8 +5,8 @@ import { clock, h, section } from "./dom";
 import { comparisonTables, figuresTable, hasMetrics, missionTable, tiles } from "./figures";
 import { flightCharts } from "./flight_plots";
 import { chosen, sameFire } from "./scenario_text";
+import { MapPanel, noMap } from "./map_panel";
 import { pilotPanel } from "./pilot_panel";
-import { Player } from "./player";
 import { loadLines, radioPanel } from "./radio_panel";
 
 const kStates = {
@@ -162,14 +162,27 @@ function eventList(runs: RunData[]): HTMLElement | null {
   return tables.length > 0 ? section("Events", "events", ...tables) : null;
 }
 
-export function runsPage(title: string, runs: RunData[]): HTMLElement[] {
-  const player = Player.make(runs);
-  const charts = plots(runs, (time) => player?.seek(time));
-  const pilot = player && runs.length === 1 ? pilotPanel(player.scene, player.scene.duration) : null;
-  if (player) player.onTime = (time, scene) => {
-    charts.forEach((c) => c.showTime(time));
-    pilot?.showTime(time, scene);
-  };
+/** The map, or what is said where there is none. */
+async function mapOf(runs: RunData[]): Promise<{ panel: MapPanel | null; element: HTMLElement }> {
+  try {
+    const panel = await MapPanel.make(runs);
+    return { panel, element: panel?.element ?? h("p", { class: "empty" }, "The records hold no positions and no perimeters.") };
+  } catch (problem) {
+    return { panel: null, element: noMap(problem) }; // the rest of the page is good without
+  }
+}
+
+export async function runsPage(title: string, runs: RunData[]): Promise<HTMLElement[]> {
+  const { panel, element: map } = await mapOf(runs);
+  const charts = plots(runs, (time) => panel?.seek(time));
+  const pilot = panel && runs.length === 1 ? pilotPanel(panel.first.view.world, panel.first.alerts) : null;
+  if (panel) {
+    panel.onTime = (time) => {
+      charts.forEach((c) => c.showTime(time));
+      pilot?.showTime(time);
+    };
+    panel.start();
+  }
   const scenarios = runs.filter((run) => run.scenario).map((run) =>
     h("details", {}, h("summary", {}, `${run.label}: scenario as run`), h("pre", {}, run.scenario)));
   const several = runs.length > 1;
@@ -187,8 +200,7 @@ export function runsPage(title: string, runs: RunData[]): HTMLElement[] {
   return [
     h("header", {}, h("h1", {}, title)),
     overview,
-    section("Map", "map", player ? player.element
-      : h("p", { class: "empty" }, "The records hold no positions and no perimeters.")),
+    section("Map", "map", map),
     ...(pilot ? [section("Pilot's display", "pilot", pilot.element)] : []),
     section("Over time", "plots",
       h("p", { class: "hint" }, "Drag across a plot to zoom, double-click to see all; a click moves the map to that time."),

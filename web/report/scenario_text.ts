@@ -11,12 +11,12 @@ function block(scenario: string, key: string): string[] {
   return lines.slice(start, length < 0 ? undefined : start + 1 + length);
 }
 
-/** The estimator or strategy of a monitoring mission; empty when there is none. */
+/** The estimator or strategy of the first mission that has one; empty when none has. */
 export function chosen(scenario: string, role: string): string {
-  const lines = block(scenario, "monitoring");
-  const at = lines.findIndex((line) => line.startsWith(`  ${role}:`));
+  const lines = block(scenario, "missions");
+  const at = lines.findIndex((line) => line.trimStart().startsWith(`${role}:`));
   if (at < 0) return "";
-  const direct = lines[at].slice(role.length + 3).trim();
+  const direct = lines[at].trim().slice(role.length + 1).trim();
   const kind = direct || (lines[at + 1] ?? "").replace(/^ *kind:/, "").trim();
   return kind.replace(/^"|"$/g, "");
 }

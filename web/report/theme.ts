@@ -19,7 +19,6 @@ export interface Theme {
   corrective: string;
   warning: string;
   recommended: string;
-  shade: number; // strength of the terrain's relief
   dark: boolean;
   series: string[];
 }
@@ -30,7 +29,7 @@ const light: Theme = {
   belief: "#0b5fae", bandFill: "rgba(11,95,174,0.22)", crossing: "#1c2024", found: "#7b2fbf", traffic: "#8a4b00",
   mission: "#0a6b4f", zone: "#8c1d40", zoneFill: "rgba(140,29,64,0.12)",
   preventive: "#8a6d00", corrective: "#d98200", warning: "#d0021b", recommended: "#b000a8",
-  shade: 0.42, dark: false,
+  dark: false,
   series: ["#0b6bb5", "#d2540a", "#0a8f6b", "#a64d94", "#8a6d00", "#5b5bd6", "#7a4b2a", "#4d5963"],
 };
 
@@ -40,7 +39,7 @@ const dark: Theme = {
   belief: "#6cb6ff", bandFill: "rgba(108,182,255,0.26)", crossing: "#f2f3f4", found: "#cf9bff", traffic: "#ffb454",
   mission: "#5fd6ab", zone: "#ff8fb0", zoneFill: "rgba(255,143,176,0.14)",
   preventive: "#f0e070", corrective: "#ffab1a", warning: "#ff4136", recommended: "#ff7bf5",
-  shade: 0.45, dark: true,
+  dark: true,
   series: ["#5fb0f5", "#ff9a5c", "#3fcf9f", "#e39ad2", "#e0c341", "#a3a3ff", "#d0a07c", "#b4bec7"],
 };
 
@@ -63,8 +62,6 @@ export function chooseTheme(next: ThemeChoice): void {
   choice = next;
   tell();
 }
-
-export const paperTheme = light;
 
 /** The colour of an alert by the region that its level stands for. */
 export function alertColour(region: string | null, theme: Theme): string {

@@ -36,6 +36,18 @@ std::string embedded(const nlohmann::ordered_json& data) {
   return out;
 }
 
+// A block of data, which no browser runs.
+void put_block(std::string& html, std::string_view type, std::string_view id,
+               std::string_view content) {
+  html += "<script type=\"";
+  html += type;
+  html += "\" id=\"";
+  html += id;
+  html += "\">";
+  html += content;
+  html += "</script>\n";
+}
+
 }  // namespace
 
 std::string base64(std::span<const std::byte> bytes) {
@@ -54,24 +66,30 @@ std::string base64(std::span<const std::byte> bytes) {
   return out;
 }
 
-Result<void> write_page(const std::string& title, const nlohmann::ordered_json& data,
+Result<void> write_page(PageKind kind, const std::string& title,
+                        const nlohmann::ordered_json& data,
                         const std::filesystem::path& file) {
   std::string html =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      // Nothing may be fetched: the page is the same with and without a network.
+      // Nothing may be fetched: the page is the same with and without a network. The map
+      // has a worker, which it reads from this page.
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-      "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data: blob:\">\n"
+      "style-src 'unsafe-inline'; script-src 'unsafe-inline'; worker-src blob:; "
+      "connect-src blob:; "
+      "img-src data: blob:\">\n"
       "<title>" +
       escaped(title) + "</title>\n<style>";
   html += page_style();
   html +=
       "</style>\n</head>\n<body>\n<main id=\"page\">\n"
-      "<noscript>This report needs a browser with JavaScript.</noscript>\n</main>\n"
-      "<script type=\"application/json\" id=\"data\">";
-  html += embedded(data);
-  html += "</script>\n<script>";
-  html += page_script();
+      "<noscript>This report needs a browser with JavaScript.</noscript>\n</main>\n";
+  put_block(html, "application/json", "data", embedded(data));
+  put_block(html, "text/plain", "script",
+            kind == PageKind::kRuns ? runs_script() : study_script());
+  if (kind == PageKind::kRuns) put_block(html, "text/plain", "worker", map_worker());
+  html += "<script>";
+  html += loader_script();
   html += "</script>\n</body>\n</html>\n";
   return write_file(file, html);
 }

@@ -9,10 +9,14 @@
 
 namespace skein::record {
 
+/// What a page shows.
+enum class PageKind { kRuns, kStudy };
+
 /// Writes one HTML file that holds script, style and `data` (web/report/data.ts describes
 /// it) and needs nothing else. The file appears whole or not at all.
 /// Fails: kUnavailable when the file cannot be written.
-Result<void> write_page(const std::string& title, const nlohmann::ordered_json& data,
+Result<void> write_page(PageKind kind, const std::string& title,
+                        const nlohmann::ordered_json& data,
                         const std::filesystem::path& file);
 
 /// Base64 of the bytes of numbers, for the page's packed fields.

@@ -126,10 +126,29 @@ class TableCursor final : public PieceCursor<T> {
 
  private:
   Result<void> read_piece(Sqlite& database) override {
-    return for_each_record<T>(database, piece_after(this->row_), [this](T value) {
+    const std::string piece = piece_after(this->row_);
+    const std::size_t before = this->ahead_.size();
+    auto done = for_each_record<T>(database, piece, [this](T value) {
       this->ahead_.push_back(std::move(value));
       ++this->row_;
     });
+    if constexpr (std::is_same_v<T, RecommendationRecord>)
+      if (done) return read_paths(database, piece, before);
+    return done;
+  }
+
+  // Lists are not read back with their records.
+  Result<void> read_paths(Sqlite& database, const std::string& piece, std::size_t next) {
+    return for_each_row(database, "SELECT path_json FROM recommendations " + piece,
+                        [&](const Statement& row) {
+                          const auto list =
+                              json::Json::parse(row.text(0), nullptr, false);
+                          auto& path = this->ahead_.at(next++).recommendation.path;
+                          if (list.is_array())
+                            for (const json::Json& item : list)
+                              if (auto point = json::from_json<RecommendedPoint>(item))
+                                path.push_back(std::move(point).value());
+                        });
   }
   Time time_of_item(const T& value) const override { return time_of(value); }
   void put(T value, std::vector<Timed>& out) override {
@@ -368,9 +387,9 @@ Result<void> RecordStream::advance(Time until, const Listener& listener) {
                    [](const Timed& a, const Timed& b) { return a.time < b.time; });
   for (const Timed& each : all) {
     if (const auto* record = std::get_if<Record>(&each.what))
-      listener.record(*record);
+      listener.record(each.time, *record);
     else
-      listener.metrics(std::get<MetricSample>(each.what));
+      listener.metrics(each.time, std::get<MetricSample>(each.what));
   }
   return {};
 }

@@ -18,10 +18,11 @@ namespace skein::record {
 /// database keeps. Reads ahead in small pieces: a long run needs no more memory.
 class RecordStream {
  public:
-  /// Receives a record, or metrics of a mission.
+  /// Receives a record, or metrics of a mission, and when it came; what there was from
+  /// the start comes before time 0.
   struct Listener {
-    std::function<void(const Record&)> record;
-    std::function<void(const MetricSample&)> metrics;
+    std::function<void(Time, const Record&)> record;
+    std::function<void(Time, const MetricSample&)> metrics;
   };
 
   /// Opens the run in `directory`; one that is still being written, or was cut off, too.

@@ -14,7 +14,6 @@
 #include "skein/record/mission/mission_figure_text.h"
 #include "skein/record/page.h"
 #include "skein/record/report_alerts.h"
-#include "skein/record/report_map.h"
 #include "skein/record/report_radio.h"
 #include "skein/record/run_reader.h"
 
@@ -26,6 +25,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLongestScenario = 200000;  // characters
 constexpr std::size_t kMaxMetrics = 2000;         // samples over time
+constexpr double kMinShare = 1.0 / 30;            // of the room of a page, for a map
 
 const char* ending_name(RunEnding ending) {
   switch (ending) {
@@ -147,7 +147,8 @@ Json mission_figures_json(const StoredRun& run) {
   return {{"series", std::move(series)}, {"texts", std::move(texts)}};
 }
 
-Json run_json(const StoredRun& run, const std::string& label, const fs::path& directory) {
+Json run_json(const StoredRun& run, const std::string& label, const fs::path& directory,
+              Json map) {
   Json entities = Json::array(), events = Json::array();
   for (const EntityRecord& entity : run.entities) {
     entities.push_back(json::to_json(entity));
@@ -182,7 +183,7 @@ Json run_json(const StoredRun& run, const std::string& label, const fs::path& di
           {"events_left_out", run.events_left_out},
           {"scenario", scenario},
           {"alerting", alerts_json(run)},
-          {"map", map_json(run)}};
+          {"map", std::move(map)}};
 }
 
 // The last part of each path, with as many parts before it as distinguish the runs.
@@ -205,20 +206,17 @@ std::vector<std::string> labels(std::span<const fs::path> directories) {
 
 }  // namespace
 
-Result<void> write_report(std::span<const fs::path> run_directories,
-                          const fs::path& html) {
+Result<void> write_report(std::span<const fs::path> run_directories, const fs::path& html,
+                          const MapOf& map_of) {
   if (run_directories.empty())
     return Error{ErrorCode::kBadInput, "", "no run was given",
                  "give directories of runs"};
   const std::vector<std::string> names = labels(run_directories);
-  const int count = static_cast<int>(run_directories.size());
+  const std::size_t count = run_directories.size();
   ReadBudget budget;
-  // Many runs share the room of one page.
-  budget.frames = std::max(30, budget.frames / count);
-  budget.track_samples = std::max(4000, budget.track_samples / count);
   if (count > 1) budget.flights = 0;  // comparisons show their figures only
-  budget.crossings = std::max(500, budget.crossings / count);
-  budget.detections = std::max(500, budget.detections / count);
+  // Many runs share the room of one page.
+  const double share = std::max(kMinShare, 1.0 / static_cast<double>(count));
 
   Json runs = Json::array();
   std::vector<Error> errors;
@@ -229,8 +227,17 @@ Result<void> write_report(std::span<const fs::path> run_directories,
       errors.push_back(run.error());
       continue;
     }
+    Json map;
+    if (map_of) {
+      auto packed = map_of(run_directories[i], share);
+      if (!packed) {
+        errors.push_back(packed.error());
+        continue;
+      }
+      if (!packed.value().empty()) map = Json::parse(packed.value());
+    }
     title = run.value().info.name.empty() ? names[i] : run.value().info.name;
-    runs.push_back(run_json(run.value(), names[i], run_directories[i]));
+    runs.push_back(run_json(run.value(), names[i], run_directories[i], std::move(map)));
   }
   if (!errors.empty()) {
     Error all = errors.front();
@@ -239,8 +246,9 @@ Result<void> write_report(std::span<const fs::path> run_directories,
     return all;
   }
   if (count > 1) title = "Comparison of " + std::to_string(count) + " runs";
-  return write_page(
-      title, {{"page", "runs"}, {"title", title}, {"runs", std::move(runs)}}, html);
+  return write_page(PageKind::kRuns, title,
+                    {{"page", "runs"}, {"title", title}, {"runs", std::move(runs)}},
+                    html);
 }
 
 }  // namespace skein::record

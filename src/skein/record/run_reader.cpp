@@ -15,13 +15,13 @@
 #include "skein/record/run_database.h"
 #include "skein/record/run_facts.h"
 #include "skein/record/statistics.h"
-#include "skein/record/track_builder.h"
 
 namespace skein::record {
 namespace {
 
 // Before everything: no row of truth is of this time.
 constexpr Time kNever = Time::from_ns(-1);
+constexpr double kShortestStep = 1;  // between samples of a flight [s]
 
 double known(const Statement& row, int column) {
   return row.is_null(column) ? std::numeric_limits<double>::quiet_NaN()
@@ -83,14 +83,13 @@ class Reader {
   Result<StoredRun> read() {
     using Part = Result<void> (Reader::*)();
     for (const Part part :
-         {&Reader::schema,          &Reader::meta,    &Reader::entities,
-          &Reader::duration,        &Reader::events,  &Reader::metrics,
-          &Reader::forecasts,       &Reader::tracks,  &Reader::estimates,
-          &Reader::readings,        &Reader::radio,   &Reader::perimeters,
-          &Reader::crossings,       &Reader::payload, &Reader::memory,
-          &Reader::traffic,         &Reader::alerts,  &Reader::bands,
-          &Reader::recommendations, &Reader::zones,   &Reader::missions,
-          &Reader::terrain,         &Reader::summary})
+         {&Reader::schema,    &Reader::meta,    &Reader::entities,
+          &Reader::duration,  &Reader::events,  &Reader::metrics,
+          &Reader::forecasts, &Reader::flights, &Reader::estimates,
+          &Reader::readings,  &Reader::radio,   &Reader::crossings,
+          &Reader::payload,   &Reader::memory,  &Reader::traffic,
+          &Reader::alerts,    &Reader::bands,   &Reader::recommendations,
+          &Reader::missions,  &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }
@@ -126,12 +125,8 @@ class Reader {
         "SELECT max(coalesce((SELECT max(time_s) FROM truth), 0),"
         " coalesce((SELECT max(time_s) FROM metrics), 0),"
         " coalesce((SELECT max(time_s) FROM readings), 0),"
-        " coalesce((SELECT max(value) FROM summary WHERE name = 'simulated_s'), 0)),"
-        " (SELECT count(DISTINCT entity_id) FROM truth)",
-        [this](const Statement& row) {
-          run_.duration = row.real(0);
-          movers_ = std::max(1.0, row.real(1));
-        });
+        " coalesce((SELECT max(value) FROM summary WHERE name = 'simulated_s'), 0))",
+        [this](const Statement& row) { run_.duration = row.real(0); });
   }
 
   Result<void> events() {
@@ -181,32 +176,22 @@ class Reader {
         });
   }
 
-  Result<void> tracks() {
-    const double step =
-        std::max(budget_.shortest_step, run_.duration * movers_ / budget_.track_samples);
-    flights_.emplace(
-        std::max(budget_.shortest_step, run_.duration / budget_.flight_samples),
-        budget_.flights);
-    std::map<EntityId, TrackBuilder> builders;
-    auto done = rows(
-        "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, heading_deg, charge,"
+  Result<void> flights() {
+    flights_.emplace(std::max(kShortestStep, run_.duration / budget_.flight_samples),
+                     budget_.flights);
+    return rows(
+        "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, charge,"
         " airspeed_mps, on_ground FROM truth",
         [&](const Statement& row) {
           const EntityId id = entity_id(row, 0);
           VehicleState state;
           state.p_N = Vec3(row.real(2), row.real(3), -row.real(4));
-          state.energy.charge = row.real(6);
-          state.on_ground = row.integer(8) != 0;
+          state.energy.charge = row.real(5);
+          state.on_ground = row.integer(7) != 0;
           statistics_.truth(Time::from_seconds(row.real(1)), id, state);
           flights_->truth(id, {row.real(1), Vec2(row.real(2), row.real(3)), row.real(4),
-                               known(row, 7), known(row, 6)});
-          builders.try_emplace(id, id, step)
-              .first->second.add(row.real(1),
-                                 Vec3(row.real(2), row.real(3), -row.real(4)),
-                                 geo::radians(row.real(5)));
+                               known(row, 6), known(row, 5)});
         });
-    for (auto& [id, builder] : builders) run_.tracks.push_back(builder.take());
-    return done;
   }
 
   // The figures of a run that was cut off have no truth beside the estimates.
@@ -258,92 +243,7 @@ class Reader {
                 });
   }
 
-  Result<void> perimeters() {
-    if (auto done = frames("truth", "phenomenon", run_.truth); !done) return done;
-    if (auto done = frames("belief", "believer_id || ' ' || mission", run_.belief); !done)
-      return done;
-    return forecast_rings();
-  }
-
-  // Those made at some times, evenly over the run.
-  Result<void> forecast_rings() {
-    std::vector<double> times;
-    auto done = rows(
-        "SELECT DISTINCT made_s FROM perimeters WHERE source = 'forecast' ORDER BY "
-        "made_s",
-        [&](const Statement& row) { times.push_back(row.real(0)); });
-    if (!done || times.empty()) return done;
-    const std::set<double> kept = evenly(times);
-    return rows(
-        "SELECT made_s, time_s, mission, data FROM perimeters WHERE source = 'forecast'"
-        " ORDER BY made_s, mission, time_s, ring",
-        [&](const Statement& row) {
-          const double made = row.real(0), time = row.real(1);
-          if (!kept.contains(made)) return;
-          auto& all = run_.ahead;
-          if (all.empty() || all.back().made != made || all.back().time != time ||
-              all.back().mission != row.text(2))
-            all.push_back({made, time, row.text(2), {}});
-          all.back().rings.push_back(float_blob(row, 3));
-        });
-  }
-
-  // As many of the times as the budget has frames, the first and the last included.
-  std::set<double> evenly(const std::vector<double>& times) const {
-    std::set<double> kept;
-    const std::size_t count =
-        std::min(times.size(), static_cast<std::size_t>(std::max(budget_.frames, 1)));
-    for (std::size_t k = 0; k < count; ++k)
-      kept.insert(
-          times[count == 1 ? times.size() - 1 : k * (times.size() - 1) / (count - 1)]);
-    return kept;
-  }
-
-  // Each with the newest rings of all phenomena, or of all missions.
-  Result<void> frames(const std::string& source, const std::string& whose,
-                      std::vector<StoredFrame>& out) {
-    const std::string which = "source = '" + source + "'";
-    std::vector<double> times;
-    auto done =
-        rows("SELECT DISTINCT time_s FROM perimeters WHERE " + which + " ORDER BY time_s",
-             [&](const Statement& row) { times.push_back(row.real(0)); });
-    if (!done || times.empty()) return done;
-    const std::set<double> requested = evenly(times);
-    using Rings = std::vector<std::vector<float>>;
-    std::map<std::string, std::pair<double, Rings>> newest;  // by whose they are
-    double time = 0;
-    const auto put = [&] {
-      if (newest.empty() || !requested.contains(time)) return;
-      out.push_back({time, {}});
-      for (const auto& [key, rings] : newest)
-        for (const std::vector<float>& ring : rings.second)
-          out.back().rings.push_back(ring);
-    };
-    done = rows("SELECT time_s, data, " + whose + " FROM perimeters WHERE " + which +
-                    " ORDER BY time_s, ring",
-                [&](const Statement& row) {
-                  if (row.real(0) != time) put();
-                  time = row.real(0);
-                  auto& [of, rings] = newest[row.text(2)];
-                  if (of != time) rings.clear();
-                  of = time;
-                  rings.push_back(float_blob(row, 1));
-                });
-    put();
-    return done;
-  }
-
-  Result<void> zones() {
-    return records<ZoneRecord>("ORDER BY time_s", [this](ZoneRecord record) {
-      run_.zones.push_back(std::move(record));
-    });
-  }
-
   Result<void> missions() {
-    auto done = records<MissionRecord>("ORDER BY time_s", [this](MissionRecord record) {
-      run_.missions.push_back(std::move(record));
-    });
-    if (!done) return done;
     return rows(
         "SELECT mission, figure, time_s, value FROM mission_metrics"
         " ORDER BY mission, figure, time_s",
@@ -357,45 +257,26 @@ class Reader {
         });
   }
 
+  // Only for the figures of a run that was cut off.
   Result<void> crossings() {
-    std::vector<Crossing> all;
-    auto done = records<Crossing>("ORDER BY time_s", [&](const Crossing& crossing) {
-      all.push_back(crossing);
+    return records<Crossing>("ORDER BY time_s", [&](const Crossing& crossing) {
       statistics_.crossing(crossing);
     });
-    run_.crossings = thinned(all, budget_.crossings);
-    return done;
   }
 
-  Result<void> object_motions() {
-    std::map<std::uint32_t, std::vector<ObjectMotion>> all;
-    auto done = records<ObjectMotion>("ORDER BY time_s", [&](const ObjectMotion& motion) {
-      all[motion.object].push_back(motion);
+  // What cameras and ranging sensors saw: likewise.
+  Result<void> payload() {
+    auto done = records<GroundObject>(
+        "", [this](const GroundObject& object) { statistics_.payload().object(object); });
+    if (!done) return done;
+    done = records<ObjectMotion>("ORDER BY time_s", [&](const ObjectMotion& motion) {
       statistics_.payload().motion(motion);
     });
-    for (StoredObject& each : run_.objects)
-      for (const ObjectMotion& motion :
-           thinned(all[each.object.id], budget_.object_motions))
-        each.track.add(motion);
-    return done;
-  }
-
-  // What cameras and ranging sensors saw.
-  Result<void> payload() {
-    auto done = records<GroundObject>("", [this](GroundObject object) {
-      statistics_.payload().object(object);
-      run_.objects.push_back({std::move(object), {}});
-    });
     if (!done) return done;
-    done = object_motions();
-    if (!done) return done;
-    std::vector<Detection> all;
     done = records<Detection>("ORDER BY time_s", [&](const Detection& detection) {
-      all.push_back(detection);
       statistics_.payload().detection(detection);
     });
     if (!done) return done;
-    run_.detections = thinned(all, budget_.detections);
     done = rows("SELECT 1 FROM footprints",
                 [this](const Statement&) { statistics_.payload().footprint(); });
     if (!done) return done;
@@ -403,33 +284,20 @@ class Reader {
                 [this](const Statement&) { statistics_.payload().ranges(); });
   }
 
-  // Other air traffic, and what was believed of it.
+  // Other air traffic, and what was believed of it: likewise.
   Result<void> traffic() {
-    auto done = records<AirTraffic>("", [this](AirTraffic what) {
-      statistics_.traffic().aircraft(what);
-      run_.traffic.push_back({std::move(what), {}});
-    });
+    auto done = records<AirTraffic>(
+        "", [this](const AirTraffic& what) { statistics_.traffic().aircraft(what); });
     if (!done) return done;
-    std::map<std::uint32_t, std::vector<TrafficMotion>> all;
     done = records<TrafficMotion>("ORDER BY time_s", [&](const TrafficMotion& motion) {
-      all[motion.traffic].push_back(motion);
       statistics_.traffic().motion(motion);
     });
     if (!done) return done;
-    const auto many = static_cast<int>(std::max<std::size_t>(1, run_.traffic.size()));
-    for (StoredTraffic& each : run_.traffic)
-      for (const TrafficMotion& motion :
-           thinned(all[each.what.id], std::max(20, budget_.traffic_motions / many)))
-        each.path.add(motion);
-    std::vector<TrafficBeliefRecord> firm;
-    done = records<TrafficBeliefRecord>("ORDER BY time_s",
+    return records<TrafficBeliefRecord>("ORDER BY time_s",
                                         [&](const TrafficBeliefRecord& record) {
                                           statistics_.traffic().belief(record);
                                           statistics_.alerts().belief(record.belief);
-                                          if (record.belief.firm) firm.push_back(record);
                                         });
-    run_.traffic_beliefs = thinned(firm, budget_.traffic_beliefs);
-    return done;
   }
 
   Result<void> alerts() {
@@ -505,13 +373,6 @@ class Reader {
     });
   }
 
-  Result<void> terrain() {
-    auto terrain = read_terrain(database_);
-    if (!terrain) return terrain.error();
-    run_.terrain = std::move(terrain).value();
-    return {};
-  }
-
   Result<void> summary() {
     run_.summary.version = run_.info.version;
     run_.summary.name = run_.info.name;
@@ -544,7 +405,6 @@ class Reader {
   RunStatistics statistics_;
   StoredRun run_;
   std::optional<FlightSeriesBuilder> flights_;
-  double movers_ = 1;
 };
 
 }  // namespace

@@ -8,45 +8,9 @@
 #include "skein/record/flight_series.h"
 #include "skein/record/forecast_statistics.h"
 #include "skein/record/metrics.h"
-#include "skein/record/object_track.h"
-#include "skein/record/rows.h"
 #include "skein/record/summary.h"
-#include "skein/record/traffic_path.h"
 
 namespace skein::record {
-
-/// One entity's track, at equal steps of time.
-struct StoredTrack {
-  EntityId id;
-  double start = 0, step = 0;                ///< [s]
-  std::vector<double> north, east, heading;  ///< [m], [m], [rad]
-  std::vector<double> altitude_msl;          ///< [m]
-};
-
-/// The rings of one time. `floats` per ring as in the database: see run_database.h.
-struct StoredFrame {
-  double time = 0;  ///< [s]
-  std::vector<std::vector<float>> rings;
-};
-
-/// Rings as a mission believed at one time that they would be at a later one.
-struct StoredForecast {
-  double made = 0, time = 0;  ///< [s]
-  std::string mission;
-  std::vector<std::vector<float>> rings;  ///< as those of beliefs
-};
-
-/// A thing on the ground and how it moved.
-struct StoredObject {
-  GroundObject object;
-  ObjectTrack track;
-};
-
-/// Another aircraft and how it flew.
-struct StoredTraffic {
-  AirTraffic what;
-  TrafficPath path;
-};
 
 /// A range of values and what they lead to, in degrees and SI.
 struct StoredBand {
@@ -103,22 +67,12 @@ struct StoredRun {
   std::vector<EntityRecord> entities;
   std::vector<double> metric_times;       ///< [s]
   std::vector<PerimeterMetrics> metrics;  ///< of the believer that came first
-  std::vector<StoredTrack> tracks;
   std::vector<FlightSeries> flights;
-  std::vector<StoredFrame> truth, belief;
-  std::vector<StoredForecast> ahead;  ///< in order of when they were made
-  std::vector<Crossing> crossings;
-  std::vector<StoredObject> objects;
-  std::vector<Detection> detections;
-  std::vector<StoredTraffic> traffic;
-  std::vector<TrafficBeliefRecord> traffic_beliefs;   ///< firm ones, in order of time
   std::vector<AlertRecord> alerts;                    ///< in order of time
   std::vector<StoredBands> bands;                     ///< in order of time
   std::vector<StoredRecommendation> recommendations;  ///< in order of time
   std::vector<ForecastScore> forecasts;               ///< that have been scored
   std::vector<ArrivalForecast> arrivals;              ///< in order of time
-  std::vector<ZoneRecord> zones;                      ///< in order of time
-  std::vector<MissionRecord> missions;                ///< in order of time
   std::vector<StoredSeries> mission_series;           ///< by mission, then figure
   std::vector<Event> events;                          ///< in order of time
   int events_left_out = 0;                            ///< more of the most frequent kinds
@@ -127,21 +81,12 @@ struct StoredRun {
   std::vector<StoredLoad> loads;                      ///< in order of time
   std::vector<StoredRadio> radios;                    ///< in the order of their entities
   std::vector<LinkUse> links;  ///< of the whole run, in the order of sender and receiver
-  std::unique_ptr<TerrainRow> terrain;  ///< null when the run has none
 };
 
 /// How much a reader keeps.
 struct ReadBudget {
-  int frames = 240;            ///< perimeters of the truth, and of the belief
-  int track_samples = 120000;  ///< over all entities
-  double shortest_step = 1;    ///< between track samples [s]
-  int flights = 8;             ///< aircraft whose flight over time is kept
-  int flight_samples = 500;    ///< of each
-  int crossings = 6000;
-  int detections = 6000;
-  int object_motions = 3000;    ///< of each object
-  int traffic_motions = 60000;  ///< of all together
-  int traffic_beliefs = 20000;
+  int flights = 8;           ///< aircraft whose flight over time is kept
+  int flight_samples = 500;  ///< of each
   int alerts = 4000;
   int bands = 6000;
   int events = 400;

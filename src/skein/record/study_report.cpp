@@ -95,7 +95,7 @@ Result<void> write_study_report(const StudyReport& report,
                      {"dots", std::move(dots)}, {"plots", std::move(plots)},
                      {"maps", std::move(maps)}, {"alert", report.alert},
                      {"notes", report.notes}};
-  return write_page(report.title, data, html);
+  return write_page(PageKind::kStudy, report.title, data, html);
 }
 
 }  // namespace skein::record

@@ -144,6 +144,12 @@ export class AirLayer {
     this.ready = true;
   }
 
+  /** Gives the graphics card back what it holds. */
+  lose(): void {
+    this.ready = false;
+    this.gl.getExtension("WEBGL_lose_context")?.loseContext();
+  }
+
   setTheme(theme: Theme, warned: string): void {
     theme.series.forEach((colour, k) => rgb(colour, this.tints, 3 * k));
     rgb(warned, this.tints, 3 * kTintWarned);

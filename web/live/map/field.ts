@@ -12,6 +12,8 @@ import type { Projector } from "./projector";
 import { trace, traceBand, type Points, type Shaper } from "./shapes";
 
 const kCrossingShown = 300, kReadingShown = 60, kDetectionShown = 300; // they fade over this time [s]
+const kTrackShown = 5; // of other traffic, after it was believed last [s]
+const kRecommendedBefore = 5; // of a path, behind the aircraft [s]
 const kMany = 40; // from so many aircraft on, only chosen ones show where their tasks lead
 const kFont = "12px system-ui, 'Segoe UI', Roboto, sans-serif";
 
@@ -292,7 +294,7 @@ function drawObjects(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes): v
   }
   c.globalAlpha = 1;
   for (const [id, motion] of world.objectMotions) {
-    const dt = v.time - motion.time_s, known = world.objectBeliefs.has(id);
+    const dt = v.time - motion.time_s, known = world.objectBeliefs.has(id) || world.found.has(id);
     if (!spot(v, (motion.north_m ?? 0) + dt * (motion.velocity_north_mps ?? 0), (motion.east_m ?? 0) + dt * (motion.velocity_east_mps ?? 0))) continue;
     const { x, y } = v.camera;
     c.fillStyle = known ? theme.found : theme.paper;
@@ -355,6 +357,39 @@ function pointsOf(what: Record<string, unknown>): [number, number][] {
   return [[north_m, east_m]];
 }
 
+/** All of the way that aircraft have come. */
+function drawTracks(c: CanvasRenderingContext2D, v: FieldView): void {
+  const { fleet } = v.world, many = fleet.count > kMany;
+  c.lineWidth = many ? 0.8 : 1.3;
+  c.lineJoin = "round";
+  c.globalAlpha = many ? 0.4 : 0.65;
+  for (const [id, { points, count }] of fleet.tracks?.all ?? []) {
+    c.beginPath();
+    trace(c, v.camera, points.subarray(0, 3 * count), false);
+    c.strokeStyle = fleet.count <= 8 ? v.theme.series[fleet.row(id) % 8] : v.theme.belief;
+    c.stroke();
+  }
+  c.globalAlpha = 1;
+}
+
+/** Paths that are recommended to pilots. */
+function drawRecommended(c: CanvasRenderingContext2D, v: FieldView): void {
+  c.strokeStyle = v.theme.recommended;
+  c.lineWidth = 2;
+  c.setLineDash([8, 4]);
+  for (const { path } of v.world.recommendations.values()) {
+    const ahead = path.filter((point) => (point.time_s ?? 0) >= v.time - kRecommendedBefore);
+    c.beginPath();
+    ahead.forEach(({ north_m, east_m }, i) => {
+      if (!spot(v, north_m, east_m)) return;
+      if (i === 0) c.moveTo(v.camera.x, v.camera.y);
+      else c.lineTo(v.camera.x, v.camera.y);
+    });
+    c.stroke();
+  }
+  c.setLineDash([]);
+}
+
 function drawTasks(c: CanvasRenderingContext2D, v: FieldView): void {
   const { fleet, frame, tasks } = v.world;
   for (const { entity_id, what } of tasks.values()) {
@@ -393,7 +428,7 @@ function drawTraffic(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes): v
   for (const alert of world.alerts.values()) levels.set(`${alert.entity_id} ${alert.track}`, alert);
   for (const [key, track] of world.trafficTracks) {
     const dt = v.time - track.time_s;
-    if (dt > 5 || track.north_m == null || track.east_m == null) continue;
+    if (dt > kTrackShown + world.gap || track.north_m == null || track.east_m == null) continue;
     const north = track.north_m + dt * (track.velocity_north_mps ?? 0), east = track.east_m + dt * (track.velocity_east_mps ?? 0);
     const alert = levels.get(key), colour = alert ? alertColour(alert.region, theme) : theme.traffic;
     c.strokeStyle = colour;
@@ -436,7 +471,7 @@ function diamond(c: CanvasRenderingContext2D, x: number, y: number, stroke: stri
 }
 
 function drawZoneNames(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes): void {
-  for (const zone of v.world.zones.values()) {
+  for (const zone of v.world.zonesAt(v.time)) {
     let north = 0, east = 0;
     if (zone.area.kind === "disc") {
       north = zone.area.centre_north_m ?? 0;
@@ -469,7 +504,10 @@ export function drawField(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxe
   if (v.layers.footprints) drawFootprints(c, v);
   if (v.layers.zones && v.layers.names) drawZoneNames(c, v, boxes);
   if (v.layers.objects) drawObjects(c, v, boxes);
+  if (v.layers.tracks) drawTracks(c, v);
   if (v.layers.tasks) drawTasks(c, v);
   if (v.layers.paths) drawPaths(c, v);
-  if (v.layers.traffic) drawTraffic(c, v, boxes);
+  if (!v.layers.traffic) return;
+  drawTraffic(c, v, boxes);
+  drawRecommended(c, v);
 }

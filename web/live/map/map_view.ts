@@ -1,5 +1,5 @@
 /** The map: camera, ground, the canvases above it, and what the pointer does. */
-import { Map as MapLibre, setWorkerUrl, type CustomLayerInterface, type GeoJSONSource, type MapMouseEvent } from "maplibre-gl";
+import { Map as MapLibre, type CameraOptions, type CustomLayerInterface, type GeoJSONSource, type MapMouseEvent } from "maplibre-gl";
 import { onThemeChange, theme } from "../../report/theme";
 import { h } from "../../report/dom";
 import type { RunDescription } from "../protocol";
@@ -26,15 +26,20 @@ export interface Here {
 /** Whoever wants the clicks: picking a place, measuring. Returns whether it takes the click. */
 export type ClickTaker = (here: Here, double: boolean) => boolean;
 
+/** Where a map is looked from. */
+export type Outlook = Required<Pick<CameraOptions, "center" | "zoom" | "bearing" | "pitch">>;
+
 /** Something that draws on the canvas of what changes slowly. */
 export type Extra = (c: CanvasRenderingContext2D, view: FieldView) => void;
 
-const kLabelsEvery = 0.33, kFieldEvery = 0.5; // [s]
+const kLabelsEvery = 0.33; // [s]
 const kMany = 100; // from so many aircraft on what is slow may be slower
 
 export class MapView {
   readonly element: HTMLElement;
   readonly map: MapLibre;
+  /** Takes the map off the page for good. */
+  readonly remove: () => void;
   readonly camera = new Projector();
   readonly shaper: Shaper;
   readonly selected = new Set<number>();
@@ -44,6 +49,8 @@ export class MapView {
   onSelect: () => void = () => undefined;
   onPointer: (here: Here | null) => void = () => undefined;
   onContext: (here: Here) => void = () => undefined;
+  /** What changes slowly is drawn again so often [s]. */
+  fieldEvery = 0.5;
   labelText: (row: number) => LabelText = () => ({ name: "", line: "", warned: false });
   /** Script time of the last frames that were drawn [ms]. */
   readonly frameTimes = new Float64Array(240);
@@ -59,14 +66,13 @@ export class MapView {
   private fieldAt = -1;
   private timeShown = -1;
   private fleetShown = -1;
-  private zonesShown = -1;
+  private zonesShown = "";
   private dirty = true;
   private fresh = true;
-  private sized = false;
+  private fitted = false;
 
   constructor(private readonly run: RunDescription, private readonly world: World, readonly terrain: Terrain | null,
     private readonly settings: Settings) {
-    setWorkerUrl("worker.js");
     const holder = h("div", { class: "map-gl" });
     const canvas = (name: string) => h("canvas", { class: `over ${name}`, "aria-hidden": "true" });
     const field = canvas("field"), air = canvas("air");
@@ -99,13 +105,24 @@ export class MapView {
     });
     this.map.on("render", () => { if (this.camera.version !== this.cameraShown) this.draw(performance.now() / 1000); });
     this.listen();
-    onThemeChange(() => this.paint());
-    new ResizeObserver(() => this.resize()).observe(this.element);
+    const forgetTheme = onThemeChange(() => this.paint());
+    const sizes = new ResizeObserver(() => this.resize());
+    sizes.observe(this.element);
+    let next = 0;
     const loop = () => {
       this.draw(performance.now() / 1000);
-      requestAnimationFrame(loop);
+      next = requestAnimationFrame(loop);
     };
-    requestAnimationFrame(loop);
+    next = requestAnimationFrame(loop);
+    this.remove = () => {
+      cancelAnimationFrame(next);
+      forgetTheme();
+      sizes.disconnect();
+      this.air.lose();
+      this.map.remove();
+      terrain?.forget();
+      this.element.remove();
+    };
   }
 
   private listen(): void {
@@ -186,8 +203,8 @@ export class MapView {
     }
     this.field.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.map.resize();
-    if (!this.sized) this.map.fitBounds(this.whole(), { padding: 12, duration: 0 });
-    this.sized = true;
+    if (!this.fitted) this.map.fitBounds(this.whole(), { padding: 12, duration: 0 });
+    this.fitted = true;
     this.camera.version++;
     this.redraw();
   }
@@ -278,6 +295,18 @@ export class MapView {
     return { north_m, east_m, half_m: (this.is3d ? 3 : 1.5) * half };
   }
 
+  /** Where it is looked from. */
+  get outlook(): Outlook {
+    const { map } = this;
+    return { center: map.getCenter(), zoom: map.getZoom(), bearing: map.getBearing(), pitch: map.getPitch() };
+  }
+
+  /** Looks from there, also before it is seen for the first time. */
+  lookFrom(outlook: Outlook): void {
+    this.fitted = true;
+    this.map.jumpTo(outlook);
+  }
+
   goTo(north: number, east: number): void {
     this.map.easeTo({ center: this.world.frame.toLngLat(north, east), duration: 500 });
   }
@@ -287,11 +316,12 @@ export class MapView {
     if (row >= 0) this.goTo(this.world.fleet.get(row, "north_m"), this.world.fleet.get(row, "east_m"));
   }
 
-  private setZones(): void {
+  private setZones(time: number): void {
     const source = this.map.getSource("zones") as GeoJSONSource | undefined;
-    if (!source || this.zonesShown === this.world.version.zones) return;
-    this.zonesShown = this.world.version.zones;
-    const features = [...this.world.zones.values()].flatMap((zone) => {
+    const zones = this.world.zonesAt(time), shown = zones.map(({ time_s, name }) => `${time_s} ${name}`).join("|");
+    if (!source || this.zonesShown === shown) return;
+    this.zonesShown = shown;
+    const features = zones.flatMap((zone) => {
       const { area } = zone;
       const ring = area.kind === "ring" ? area.points : Array.from({ length: 64 }, (_, k): [number, number] => {
         const a = (k * Math.PI) / 32;
@@ -317,17 +347,30 @@ export class MapView {
     this.map.jumpTo({ center: [(x - 0.5) * 360, lat] });
   }
 
+  /** The map as it is at this moment. */
+  picture(): HTMLCanvasElement {
+    const all = document.createElement("canvas"), { width, height } = this.air.canvas, c = all.getContext("2d")!;
+    all.width = width;
+    all.height = height;
+    // Drawings of graphics cards are there only until the browser has shown them.
+    this.redraw();
+    this.map.redraw();
+    this.draw(performance.now() / 1000);
+    for (const canvas of [this.map.getCanvas(), this.field.canvas, this.air.canvas]) c.drawImage(canvas, 0, 0, width, height);
+    return all;
+  }
+
   /** Draws what has changed since the last frame. */
   private draw(wall: number): void {
     if (this.camera.version === 0 || this.camera.width <= 1) return;
     const { world, camera } = this, begun = performance.now();
     const time = world.play.now(wall);
-    this.setZones();
+    this.setZones(time);
     if (this.follow && Math.abs(time - this.timeShown) > 1e-3) this.followNow(time);
     const moved = camera.version !== this.cameraShown;
     const airChanged = moved || this.dirty || Math.abs(time - this.timeShown) > 0.004 || world.fleet.version !== this.fleetShown;
     const v = world.version;
-    const due = wall - this.fieldAt > (world.fleet.count > kMany ? 2 * kFieldEvery : kFieldEvery);
+    const due = wall - this.fieldAt > (world.fleet.count > kMany ? 2 : 1) * this.fieldEvery;
     const key = `${v.fire} ${v.forecast} ${v.tracks} ${v.zones} ${v.missions} ${v.objects} ${v.traffic} ${v.alerts} ${v.tasks} ${v.paths} ${v.snapshot} ${v.arrival} ${Math.floor(time)}`;
     if (!airChanged && !(due && key !== this.fieldKey)) return;
     if (moved || this.dirty || (due && key !== this.fieldKey)) {

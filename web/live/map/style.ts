@@ -29,11 +29,12 @@ export function mapStyle(terrain: Terrain | null, dark: boolean, zoneColour: str
   const none = { type: "FeatureCollection", features: [] };
   return {
     version: 8,
+    transition: { duration: 0, delay: 0 }, // a picture for paper is taken at once
     sources: {
-      ...(terrain ? { heights: { type: "raster-dem", tiles: ["terrain://{z}/{x}/{y}"], tileSize: 512, encoding: "terrarium",
+      ...(terrain ? { heights: { type: "raster-dem", tiles: [terrain.tiles], tileSize: 512, encoding: "terrarium",
         maxzoom: terrain.maxZoom(), minzoom: 8, bounds: terrain.bounds() },
       // A source of its own for the third dimension: the relief's tiles may then be finer.
-      ground: { type: "raster-dem", tiles: ["terrain://{z}/{x}/{y}"], tileSize: 512, encoding: "terrarium",
+      ground: { type: "raster-dem", tiles: [terrain.tiles], tileSize: 512, encoding: "terrarium",
         maxzoom: terrain.maxZoom(), minzoom: 8, bounds: terrain.bounds() } } : {}),
       zones: { type: "geojson", data: none },
     },

@@ -1,10 +1,13 @@
 /** The ground: heights of /api/terrain, as tiles for the map and for whoever asks how high it is. */
-import { addProtocol } from "maplibre-gl";
+import { addProtocol, removeProtocol } from "maplibre-gl";
 import { latitudeOfMercator, type Frame } from "../frames";
 
 const kTile = 256;
 
 export class Terrain {
+  private static count = 0;
+  // A page may have several maps.
+  private readonly protocol = `terrain${++Terrain.count}`;
   readonly low: number;
   readonly high: number;
 
@@ -23,7 +26,11 @@ export class Terrain {
   static async load(url: string, frame: Frame): Promise<Terrain | null> {
     const response = await fetch(url);
     if (!response.ok) return null;
-    const buffer = await response.arrayBuffer();
+    return Terrain.read(await response.arrayBuffer(), frame);
+  }
+
+  /** The same of an answer that is there already. */
+  static read(buffer: ArrayBuffer, frame: Frame): Terrain | null {
     if (buffer.byteLength < 32) return null;
     const view = new DataView(buffer);
     const rows = view.getUint32(0, true), columns = view.getUint32(4, true);
@@ -53,12 +60,22 @@ export class Terrain {
     return Math.min(16, Math.max(8, Math.ceil(Math.log2(metres / this.spacing))));
   }
 
-  /** Serves tiles of heights as "terrain://z/x/y", 256 metres in red, one in green, 1/256 in blue. */
+  /** The address of tiles. */
+  get tiles(): string {
+    return `${this.protocol}://{z}/{x}/{y}`;
+  }
+
+  /** Serves tiles of heights: 256 metres in red, one in green, 1/256 in blue. */
   serve(): void {
-    addProtocol("terrain", async ({ url }) => {
-      const [z, x, y] = url.slice("terrain://".length).split("/").map(Number);
+    addProtocol(this.protocol, async ({ url }) => {
+      const [z, x, y] = url.slice(url.indexOf("://") + 3).split("/").map(Number);
       return { data: await createImageBitmap(this.tile(z, x, y)) };
     });
+  }
+
+  /** Serves no more. */
+  forget(): void {
+    removeProtocol(this.protocol);
   }
 
   private tile(z: number, x: number, y: number): ImageData {

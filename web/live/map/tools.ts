@@ -1,8 +1,8 @@
 /** What clicks on the map mean at the moment: choosing an aircraft, a place, the points of a line, measuring. */
 import { h } from "../../report/dom";
 import { theme } from "../../report/theme";
-import type { App } from "../app";
 import { T } from "../texts";
+import type { Units } from "../units";
 import { button, setText } from "../ui";
 import { writeLabel } from "./field";
 import type { Here, MapView } from "./map_view";
@@ -22,7 +22,7 @@ export class MapTools {
   private readonly taker = (here: Here) => this.click(here);
   private onClick: ((here: Here) => void) | null = null;
 
-  constructor(private readonly app: App, private readonly view: MapView) {
+  constructor(private readonly units: Units, private readonly view: MapView) {
     this.hint.append(this.text, button(T.cancel, () => this.stop()));
     view.extras.push((c) => this.draw(c));
   }
@@ -93,7 +93,7 @@ export class MapTools {
   }
 
   private tellMeasured(): void {
-    const { units } = this.app, p = this.points;
+    const { units, points: p } = this;
     if (p.length < 2) return;
     let all = 0, leg = 0, bearing = 0;
     for (let i = 1; i < p.length; ++i) {
@@ -148,7 +148,7 @@ export class MapTools {
     if (!this.measuring) return;
     for (let i = 1; i < screen.length; ++i) {
       const length = Math.hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]);
-      writeLabel(c, this.app.units.distance(length), (screen[i][0] + screen[i - 1][0]) / 2 + 6, (screen[i][1] + screen[i - 1][1]) / 2 - 6, ink, paper);
+      writeLabel(c, this.units.distance(length), (screen[i][0] + screen[i - 1][0]) / 2 + 6, (screen[i][1] + screen[i - 1][1]) / 2 - 6, ink, paper);
     }
   }
 }

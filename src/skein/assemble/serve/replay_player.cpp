@@ -76,8 +76,8 @@ class ReplayPlayer {
     now_ = std::min(time, recorded_.end().seconds());
     const Time until = Time::from_seconds(now_);
     auto done = recorded_.advance(
-        until, {[this](const Record& record) { feed_.record(record); },
-                [this](const MetricSample& sample) { feed_.show(sample); }});
+        until, {[this](Time, const Record& record) { feed_.record(record); },
+                [this](Time, const MetricSample& sample) { feed_.show(sample); }});
     if (!done) return done;
     return feed_.step_done(until);
   }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -10,6 +9,7 @@
 #include "skein/assemble/aircraft_builder.h"
 #include "skein/assemble/serve/fire_files.h"
 #include "skein/assemble/serve/task_forms.h"
+#include "skein/assemble/serve/terrain_bytes.h"
 #include "skein/layer/hmi/serve/page_files.h"
 #include "skein/scenario/utc.h"
 
@@ -20,25 +20,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kHalfSize = 6000;  // of the ground that is shown [m]
 constexpr double kExtent = 4000;    // that is seen at first [m]
-
-template <class T>
-void put_raw(std::string& out, const T& value) {
-  char bytes[sizeof value];
-  std::memcpy(bytes, &value, sizeof value);
-  out.append(bytes, sizeof value);
-}
-
-// As docs/live-feed.md has it.
-std::string coded(const TerrainPatch& patch) {
-  std::string bytes;
-  put_raw(bytes, static_cast<std::uint32_t>(patch.rows));
-  put_raw(bytes, static_cast<std::uint32_t>(patch.rows));
-  put_raw(bytes, patch.low.x());
-  put_raw(bytes, patch.low.y());
-  put_raw(bytes, patch.spacing);
-  for (const float height : patch.heights) put_raw(bytes, height);
-  return bytes;
-}
 
 Json place(const Vec2& p) {
   return {{"north_m", p.x()}, {"east_m", p.y()}};
@@ -204,7 +185,7 @@ Result<std::unique_ptr<RunPage>> RunPage::open(const ServeOptions& options,
   page->description_ = run.dump();
   if (auto frame = geo::LocalFrame::at(facts.origin)) page->frame_ = frame.value();
   page->start_s_ = facts.start_s;
-  page->terrain_ = std::make_shared<const std::string>(coded(facts.terrain));
+  page->terrain_ = std::make_shared<const std::string>(terrain_bytes(facts.terrain));
   page->hub_ = std::make_unique<hmi::LiveHub>(
       [page = page.get()](const hmi::HttpRequest& request) {
         return page->answer(request);
