@@ -49,7 +49,7 @@ export class Previews {
     asked.path = preview.points;
     asked.state = preview.problem ? "refused" : "known";
     asked.text = preview.problem ? `${asked.aircraft}: ${preview.problem}`
-      : T.task.previewed(asked.aircraft, preview.done, clock(preview.duration_s), units.distance(preview.length_m),
+      : T.task.previewed(asked.aircraft, preview.done, clock(preview.duration_s ?? 0), units.distance(preview.length_m),
         units.percent(preview.charge), units.percent(preview.charge_left));
     this.changed();
   }

@@ -1,6 +1,8 @@
 /** What the server says besides records: GET /api/run, and items of the live feed (interfaces of what the decoder yields). */
-import type { Loiter, TaskCommand } from "../report/records";
+import type { Loiter, NamedValue, TaskCommand } from "../report/records";
 import type { Origin } from "./frames";
+
+export type { FlightPath, NamedValue, PathPoint, TaskPreview, TaskReason } from "../report/records";
 
 export type Role = "viewer" | "operator" | "instructor";
 
@@ -76,48 +78,6 @@ export interface CommandReply {
   number: number;
   state: "given" | "accepted" | "refused";
   text: string;
-}
-
-/** A point of a flight ahead. */
-export interface PathPoint {
-  ahead_s: number;
-  north_m: number;
-  east_m: number;
-  altitude_msl_m: number;
-}
-
-/** How an aircraft expects to fly, since `time_s`. */
-export interface FlightPath {
-  time_s: number;
-  entity_id: number;
-  points: PathPoint[];
-  ends: boolean;
-}
-
-/** What an aircraft would do with a task. */
-export interface TaskPreview {
-  number: number; // of the request
-  problem: string; // why it cannot be flown; empty: it can
-  points: PathPoint[];
-  ends: boolean;
-  done: boolean; // within the time looked ahead
-  duration_s: number;
-  length_m: number;
-  charge: number;
-  charge_left: number;
-}
-
-/** Why an aircraft was given its task. */
-export interface TaskReason {
-  time_s: number;
-  by_id: number;
-  aircraft_id: number;
-  terms: NamedValue[];
-}
-
-export interface NamedValue {
-  name: string;
-  value: number | null;
 }
 
 export interface MetricSample {

@@ -609,6 +609,11 @@ export const kTable: Table = {
       ["request", "uint"],
       ["granted", "flag"],
     ],
+    FlightChange: [
+      ["number", "uint"],
+      ["altitude_agl", "f64?", "_m"],
+      ["airspeed", "f64?", "_mps"],
+    ],
     Message2: [
       ["from_id", "uint"],
       ["to_id", "uint"],
@@ -814,6 +819,11 @@ export const kTable: Table = {
       ["action", "#Enum18"],
       ["number", "uint"],
       ["station", "text"],
+    ],
+    ChangeFlight: [
+      ["aircraft", "text"],
+      ["altitude_agl", "f64?", "_m"],
+      ["airspeed", "f64?", "_mps"],
     ],
     Command: [
       ["time", "time"],
@@ -1210,8 +1220,42 @@ export const kTable: Table = {
       ["time", "time"],
       ["", "@LinkUse"],
     ],
+    PathPoint: [
+      ["ahead", "f32", "_s"],
+      ["north", "f32", "_m"],
+      ["east", "f32", "_m"],
+      ["altitude_msl", "f32", "_m"],
+    ],
+    FlightPath2: [
+      ["points", "@PathPoint[]"],
+      ["ends", "flag"],
+    ],
+    FlightPath: [
+      ["time", "time"],
+      ["entity_id", "uint"],
+      ["", "@FlightPath2"],
+    ],
+    TaskReason2: [
+      ["aircraft_id", "uint"],
+      ["terms", "@NamedValue[]"],
+    ],
+    TaskReason: [
+      ["time", "time"],
+      ["entity_id", "uint"],
+      ["", "@TaskReason2"],
+    ],
     LiveRecord: [
       ["record", "|Choice"],
+    ],
+    TaskPreview: [
+      ["number", "uint"],
+      ["problem", "text"],
+      ["", "@FlightPath2"],
+      ["done", "flag"],
+      ["duration", "f64", "_s"],
+      ["length", "f64", "_m"],
+      ["charge", "f64"],
+      ["charge_left", "f64"],
     ],
   },
   enums: {
@@ -1315,6 +1359,7 @@ export const kTable: Table = {
       ["readings", "@Readings"],
       ["yield_request", "@YieldRequest"],
       ["yield_answer", "@YieldAnswer"],
+      ["flight_change", "@FlightChange"],
     ],
     Choice7: [
       ["set_mode", "@SetMode"],
@@ -1346,6 +1391,7 @@ export const kTable: Table = {
       ["change_task", "@ChangeTask"],
       ["vehicle", "@Vehicle"],
       ["allocation", "@Allocation"],
+      ["change_flight", "@ChangeFlight"],
     ],
     Choice8: [
       ["open", "@Open"],
@@ -1425,6 +1471,8 @@ export const kTable: Table = {
       ["team_allocation", "@TeamAllocation"],
       ["radio", "@Radio"],
       ["radio_link", "@RadioLink"],
+      ["flight_path", "@FlightPath"],
+      ["task_reason", "@TaskReason"],
     ],
     LiveItem: [
       ["run_clock", "@RunClock"],
@@ -1435,6 +1483,7 @@ export const kTable: Table = {
       ["metric_sample", "@MetricSample"],
       ["snapshot", "@Snapshot"],
       ["live_record", "@LiveRecord"],
+      ["task_preview", "@TaskPreview"],
     ],
   },
 };

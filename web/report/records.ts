@@ -727,13 +727,20 @@ export interface YieldAnswer {
   granted: boolean; // it gives way
 }
 
+/** How high and how fast an aircraft flies. */
+export interface FlightChange {
+  number: number; // the newest counts
+  altitude_agl_m: number | null; // above the ground; null: as before
+  airspeed_mps: number | null; // at cruise; null: as before
+}
+
 /** A message that arrived or was lost. */
 export interface MessageRecord {
   from_id: number; // who sent it
   to_id: number; // for whom
   number: number; // counts the sender's messages
   sent_s: number; // when it was sent
-  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy) | ({ kind: "group_invitation" } & GroupInvitation) | ({ kind: "group_joining" } & GroupJoining) | ({ kind: "group_plan" } & GroupPlan) | ({ kind: "group_acceptance" } & GroupAcceptance) | ({ kind: "team" } & Team) | ({ kind: "landing_report" } & LandingReport) | ({ kind: "readings" } & Readings) | ({ kind: "yield_request" } & YieldRequest) | ({ kind: "yield_answer" } & YieldAnswer); // what it says
+  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy) | ({ kind: "group_invitation" } & GroupInvitation) | ({ kind: "group_joining" } & GroupJoining) | ({ kind: "group_plan" } & GroupPlan) | ({ kind: "group_acceptance" } & GroupAcceptance) | ({ kind: "team" } & Team) | ({ kind: "landing_report" } & LandingReport) | ({ kind: "readings" } & Readings) | ({ kind: "yield_request" } & YieldRequest) | ({ kind: "yield_answer" } & YieldAnswer) | ({ kind: "flight_change" } & FlightChange); // what it says
   arrived_s: number; // when it arrived, or was lost
   size_bytes: number; // as coded on the air
   lost: boolean; // it never arrived
@@ -1094,11 +1101,18 @@ export interface Allocation {
   station: string; // whose team; empty: of all
 }
 
+/** How high and how fast an aircraft flies from now on. */
+export interface ChangeFlight {
+  aircraft: string; // who
+  altitude_agl_m: number | null; // above the ground; null: as before
+  airspeed_mps: number | null; // at cruise; null: as before
+}
+
 /** A command that somebody gave. */
 export interface CommandRecord {
   time_s: number; // it counts from this step on
   sender: string; // who gave it
-  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove) | ({ kind: "change_task" } & ChangeTask) | ({ kind: "vehicle" } & Vehicle) | ({ kind: "allocation" } & Allocation)
+  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove) | ({ kind: "change_task" } & ChangeTask) | ({ kind: "vehicle" } & Vehicle) | ({ kind: "allocation" } & Allocation) | ({ kind: "change_flight" } & ChangeFlight)
 }
 
 /** A value that a plugin has recorded. */
@@ -1490,6 +1504,36 @@ export interface RadioLink {
   delay_s: number | null; // mean from sending to arrival
 }
 
+/** A point of a flight ahead. */
+export interface PathPoint {
+  ahead_s: number; // after the flight was planned
+  north_m: number; // of the origin
+  east_m: number; // of the origin
+  altitude_msl_m: number; // above mean sea level
+}
+
+/** How an aircraft expects to fly: said when that changes. */
+export interface FlightPath {
+  time_s: number; // when it was planned
+  entity_id: number; // which aircraft
+  points: PathPoint[]; // straight pieces lead from one to the next
+  ends: boolean; // at the last; else it goes on from there
+}
+
+/** A number with a name. */
+export interface NamedValue {
+  name: string; // with its unit
+  value: number | null; // in that unit; null: not known
+}
+
+/** Why an aircraft was given its task: the terms that have decided. */
+export interface TaskReason {
+  time_s: number; // when
+  entity_id: number; // who has given it
+  aircraft_id: number; // who was given it
+  terms: NamedValue[]; // that have decided
+}
+
 /** How far a run is, and how its clock goes. */
 export interface RunClock {
   time_s: number; // simulated
@@ -1573,12 +1617,6 @@ export interface CommandReply {
   text: string; // why it is refused, for people
 }
 
-/** A number with a name. */
-export interface NamedValue {
-  name: string; // with its unit
-  value: number | null; // in that unit; null: not known
-}
-
 /** How well a mission goes, by the truth. */
 export interface MetricSample {
   time_s: number; // when
@@ -1589,4 +1627,17 @@ export interface MetricSample {
 /** The full state of a run follows, or is complete. */
 export interface Snapshot {
   begins: boolean; // all that was said before is void
+}
+
+/** What an aircraft would do with a task. */
+export interface TaskPreview {
+  number: number; // of the client's request
+  problem: string; // why it cannot be flown; empty: it can
+  points: PathPoint[]; // straight pieces lead from one to the next
+  ends: boolean; // at the last; else it goes on from there
+  done: boolean; // the task is done within the time looked ahead
+  duration_s: number | null; // until then, or looked ahead
+  length_m: number | null; // of the path over ground
+  charge: number | null; // that it takes, from 0 to 1
+  charge_left: number | null; // after it, from 0 to 1
 }

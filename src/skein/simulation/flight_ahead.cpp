@@ -12,6 +12,7 @@ namespace {
 constexpr double kMinBetween = 2;   // between two paths [s]
 constexpr double kAgain = 10;       // of what is commanded at each step [s]
 constexpr double kTurned = 0.26;    // of a course: another flight [rad]
+constexpr double kMoved = 10;       // of a circle or a place: another flight [m]
 constexpr double kStraightOn = 30;  // of a course [s]
 constexpr double kOffStraight = 2;  // of a plan that is left out [m]
 constexpr double kSpacing = 20;     // of points on arcs [m]
@@ -139,6 +140,12 @@ bool steers(const AutopilotCommand& command) {
          std::holds_alternative<HoldBank>(command.guidance);
 }
 
+// About one place.
+bool stays(const AutopilotCommand& command) {
+  return std::holds_alternative<Circle>(command.guidance) ||
+         std::holds_alternative<HoldPosition>(command.guidance);
+}
+
 }  // namespace
 
 FlightAhead::Mark FlightAhead::mark_of(const AutopilotCommand& command) {
@@ -185,6 +192,10 @@ FlightAhead::Mark FlightAhead::mark_of(const AutopilotCommand& command) {
 bool FlightAhead::is_another(const AutopilotCommand& command, const Mark& mark,
                              Time now) const {
   if (!said_ || mark.kind != said_->kind) return true;
+  // Circles are as wide as the wind wants at the moment.
+  if (stays(command))
+    return std::abs(mark.a - said_->a) > kMoved || std::abs(mark.b - said_->b) > kMoved ||
+           std::abs(mark.c - said_->c) > kMoved;
   if (!steers(command)) return mark != *said_;
   return (now - said_at_).seconds() >= kAgain ||
          std::abs(geo::wrap_pi(mark.a - said_->a)) > kTurned;

@@ -15,7 +15,8 @@ namespace skein::simulation {
 ///
 /// Plans, paths and waypoints lead from here along their points; a course straight on, a
 /// circle once around. Turns from one to the next are left out, and of plans what lies
-/// within two metres of a straight piece. A course that is commanded anew at each step is
+/// within two metres of a straight piece. A circle or a place that moves by less than ten
+/// metres is the same. A course that is commanded anew at each step is
 /// said again every ten seconds, or when it has turned by more than fifteen degrees; two
 /// flights are at least two seconds apart.
 class FlightAhead {

@@ -178,12 +178,17 @@ void Stepper::move_traffic(Time now) {
   if (due(now, options_.record_period)) traffic_.record(now, recorder_);
 }
 
+bool Stepper::will_take_part(std::size_t i, Time now) const {
+  const EntityState& state = states_[i];
+  return !state.lost &&
+         state.commanded_active.value_or(takes_part(world_.entities[i], now));
+}
+
 void Stepper::update_presence(Time now) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     EntityState& state = states_[i];
     Entity& entity = world_.entities[i];
-    const bool active =
-        !state.lost && state.commanded_active.value_or(takes_part(entity, now));
+    const bool active = will_take_part(i, now);
     if (active == state.active) continue;
     state.active = active;
     state.inbox.clear();

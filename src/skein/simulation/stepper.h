@@ -103,6 +103,7 @@ class Stepper {
   void record_event(const Event& event);
   std::optional<std::size_t> find(const std::string& aircraft) const;
   bool is_station(const std::string& name) const;
+  bool will_take_part(std::size_t i, Time now) const;
   void obey(Time now, const Command& command);
   template <class Body>
   void for_each(Body body);  // body(i) for every entity

@@ -31,10 +31,11 @@ void Stepper::refuse(Time now, const std::string& why) {
 }
 
 void Stepper::obey(Time now, const Command& command) {
-  // To the ground stations, where the operator is.
+  // To the ground stations, where the operator is: those that take part, or will in the
+  // step that begins.
   const auto pass_on = [&] {
     for (std::size_t i = 0; i < states_.size(); ++i)
-      if (!world_.entities[i].vehicle && states_[i].active)
+      if (!world_.entities[i].vehicle && will_take_part(i, now))
         states_[i].commands.push_back(command);
   };
   const auto with = [&](const std::string& aircraft, const auto& act) {

@@ -74,6 +74,16 @@ TEST(Run, PassesCommandsOnToGroundStationsAndRecordsThem) {
   EXPECT_EQ(notes.commands[0].sender, "operator");
 }
 
+TEST(Run, WhatIsCommandedBeforeTheFirstStepReachesStationsToo) {
+  World world = make_world(1);
+  add_station(world);
+  ZoneNotes notes;
+  Operator console;
+  console.plan[1] = {ZoneChange{0, true, {.area = Disc{{0, 0}, 50}, .name = "first"}}};
+  ASSERT_TRUE(run(world, seconds(1), notes, console).ok());
+  EXPECT_EQ(notes.zones, "0.0 true first;");
+}
+
 TEST(Run, APausedRunStandsStillAndMakesTheStepsThatAreAskedFor) {
   World world = make_world(1);
   Notes notes;

@@ -113,6 +113,22 @@ TEST(FlightAhead, ACourseIsSaidAgainNowAndThenOrWhenItTurns) {
   EXPECT_NEAR(path->points.back().east, 600 * std::sin(1), 0.01);
 }
 
+TEST(FlightAhead, ACircleThatIsAWiderOrNarrowerOneAsTheWindVariesIsTheSame) {
+  FlightAhead ahead;
+  int said = 0;
+  AutopilotCommand command;
+  for (int k = 0; k < 200; ++k) {
+    command.guidance =
+        Circle{{100 + 2 * std::sin(k), 50}, 80 + 5 * std::cos(3.0 * k), true};
+    said += ahead.step(&command, at(0, 0, 20), seconds(0.5 * k)).has_value();
+  }
+  EXPECT_EQ(said, 1);
+  command.guidance = Circle{{130, 50}, 80, true};
+  EXPECT_TRUE(ahead.step(&command, at(0, 0, 20), seconds(200)));
+  command.guidance = Circle{{130, 50}, 80, false};
+  EXPECT_TRUE(ahead.step(&command, at(0, 0, 20), seconds(300)));
+}
+
 TEST(FlightAhead, IsBoundedHoweverLongAFlightIs) {
   FlightAhead ahead;
   std::vector<Vec2> points;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace skein::assemble {
@@ -37,9 +38,9 @@ class FireFiles : public testing::Test {
       ring.push_back(point);
     }
     // Outer rings run clockwise on the map.
-    if (geo::signed_area(
-            {ring[0].position, ring[1].position, ring[2].position, ring[3].position}) < 0)
-      std::reverse(ring.begin(), ring.end());
+    geo::Ring corners;
+    for (const BoundaryPoint& point : ring) corners.push_back(point.position);
+    if (geo::signed_area(corners) < 0) std::reverse(ring.begin(), ring.end());
     return boundary;
   }
   std::optional<hmi::HttpAnswer> ask(const char* path) const {

@@ -98,7 +98,7 @@ TEST_F(TaskPreviewTest, WhatCannotBeFlownOrForeseenIsSaid) {
 
 TEST_F(TaskPreviewTest, WithoutAnEndItIsLookedAheadHalfAnHour) {
   const TaskPreview flown =
-      preview(order(Patrol{{Vec2(0, 0), Vec2(800, 0)}, true, 0, 0}));
+      preview(order(Patrol{{Vec2(0, 0), Vec2(800, 0)}, false, 0, 0}));
   EXPECT_EQ(flown.problem, "");
   EXPECT_FALSE(flown.done);
   EXPECT_NEAR(flown.duration, 1800, 1);

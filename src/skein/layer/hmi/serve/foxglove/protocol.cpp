@@ -12,8 +12,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::byte kMessageData{1};
-constexpr std::size_t kMaxSubscriptions = 10000;  // in one message
-constexpr int kWarning = 1;                       // of statuses
+constexpr std::size_t kMaxInMessage = 10000;  // subscriptions
+constexpr int kWarningStatus = 1;             // of statuses
 
 SharedBytes text_of(const Json& message) {
   const std::string text = message.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -46,7 +46,7 @@ std::optional<std::uint32_t> number(const Json& object, const char* key) {
 const Json* list(const Json& message, const char* key) {
   const auto found = message.find(key);
   const bool fits =
-      found != message.end() && found->is_array() && found->size() <= kMaxSubscriptions;
+      found != message.end() && found->is_array() && found->size() <= kMaxInMessage;
   return fits ? &*found : nullptr;
 }
 
@@ -118,7 +118,7 @@ SharedBytes unadvertise(const std::vector<std::uint32_t>& channels) {
 }
 
 SharedBytes warning(const std::string& text) {
-  return text_of({{"op", "status"}, {"level", kWarning}, {"message", text}});
+  return text_of({{"op", "status"}, {"level", kWarningStatus}, {"message", text}});
 }
 
 SharedBytes message_data(std::uint32_t subscription, std::uint64_t time_ns,

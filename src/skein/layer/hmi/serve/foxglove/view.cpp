@@ -10,22 +10,22 @@ namespace {
 
 // Channels of the whole run; those of aircraft follow.
 enum : std::uint32_t {
-  kTransforms = 1,
-  kAircraft,
-  kBoundaries,
-  kBoundariesOnMap,
-  kZones,
-  kZonesOnMap,
-  kPaths,
-  kClock,
-  kMetrics,
-  kLog,
-  kFirstOfAircraft = 16
+  kTransformsChannel = 1,
+  kAircraftChannel,
+  kBoundariesChannel,
+  kBoundariesOnMapChannel,
+  kZonesChannel,
+  kZonesOnMapChannel,
+  kPathsChannel,
+  kClockChannel,
+  kMetricsChannel,
+  kLogChannel,
+  kFirstAircraftChannel = 16
 };
 
 // Two channels each.
 std::uint32_t location_of(EntityId id) {
-  return kFirstOfAircraft + 2 * id.value;
+  return kFirstAircraftChannel + 2 * id.value;
 }
 std::uint32_t state_of(EntityId id) {
   return location_of(id) + 1;
@@ -35,18 +35,19 @@ std::uint32_t state_of(EntityId id) {
 
 View::View(Facts facts) : messages_(std::move(facts)) {
   const bool has_map = messages_.facts().frame.has_value();
-  add_channel(kTransforms, "/tf", "foxglove.FrameTransforms", transforms_schema());
-  add_channel(kAircraft, "/aircraft", "foxglove.SceneUpdate", scene_schema());
-  add_channel(kBoundaries, "/perimeter", "foxglove.SceneUpdate", scene_schema());
-  add_channel(kZones, "/zones", "foxglove.SceneUpdate", scene_schema());
-  add_channel(kPaths, "/plans", "foxglove.SceneUpdate", scene_schema());
+  add_channel(kTransformsChannel, "/tf", "foxglove.FrameTransforms", transforms_schema());
+  add_channel(kAircraftChannel, "/aircraft", "foxglove.SceneUpdate", scene_schema());
+  add_channel(kBoundariesChannel, "/perimeter", "foxglove.SceneUpdate", scene_schema());
+  add_channel(kZonesChannel, "/zones", "foxglove.SceneUpdate", scene_schema());
+  add_channel(kPathsChannel, "/plans", "foxglove.SceneUpdate", scene_schema());
   if (has_map) {
-    add_channel(kBoundariesOnMap, "/perimeter/map", "foxglove.GeoJSON", geojson_schema());
-    add_channel(kZonesOnMap, "/zones/map", "foxglove.GeoJSON", geojson_schema());
+    add_channel(kBoundariesOnMapChannel, "/perimeter/map", "foxglove.GeoJSON",
+                geojson_schema());
+    add_channel(kZonesOnMapChannel, "/zones/map", "foxglove.GeoJSON", geojson_schema());
   }
-  add_channel(kClock, "/clock", "skein.RunClock", clock_schema());
-  add_channel(kMetrics, "/metrics", "skein.Metrics", metrics_schema());
-  add_channel(kLog, "/log", "foxglove.Log", log_schema());
+  add_channel(kClockChannel, "/clock", "skein.RunClock", clock_schema());
+  add_channel(kMetricsChannel, "/metrics", "skein.Metrics", metrics_schema());
+  add_channel(kLogChannel, "/log", "foxglove.Log", log_schema());
 }
 
 void View::add_channel(std::uint32_t id, std::string topic, const char* schema_name,
@@ -73,32 +74,33 @@ void View::clear() {
   boundaries_.clear();
   zones_.clear();
   paths_.clear();
-  changed_.insert({kBoundaries, kBoundariesOnMap, kZones, kZonesOnMap, kPaths});
+  changed_.insert({kBoundariesChannel, kBoundariesOnMapChannel, kZonesChannel,
+                   kZonesOnMapChannel, kPathsChannel});
 }
 
 void View::take(const std::vector<LiveItem>& items) {
   for (const LiveItem& item : items) {
     if (const auto* live = std::get_if<LiveRecord>(&item)) {
-      take(*live);
+      take_record(live->record);
     } else if (const auto* mark = std::get_if<SnapshotMark>(&item)) {
       if (mark->begins) clear();
     } else if (const auto* clock = std::get_if<RunClock>(&item)) {
       clock_ = *clock;
-      changed_.insert(kClock);
+      changed_.insert(kClockChannel);
     } else if (const auto* fleet = std::get_if<FleetFrame>(&item)) {
       fleet_ = *fleet;
-      changed_.insert({kTransforms, kAircraft});
+      changed_.insert({kTransformsChannel, kAircraftChannel});
       for (const VehicleView& view : fleet->vehicles)
         changed_.insert({location_of(view.id), state_of(view.id)});
     } else if (const auto* sample = std::get_if<MetricSample>(&item)) {
-      happened_.push_back(
-          {kMetrics, messages_.since_1970_ns(sample->time), messages_.metrics(*sample)});
+      happened_.push_back({kMetricsChannel, messages_.since_1970_ns(sample->time),
+                           messages_.metrics(*sample)});
     }
   }
 }
 
-void View::take(const LiveRecord& live) {
-  if (const auto* entity = std::get_if<EntityRecord>(&live.record)) {
+void View::take_record(const Record& record) {
+  if (const auto* entity = std::get_if<EntityRecord>(&record)) {
     const bool is_new = names_.emplace(entity->id, entity->name).second;
     if (!is_new || entity->kind != "aircraft") return;
     const std::string topic = "/aircraft/" + entity->name;
@@ -107,23 +109,23 @@ void View::take(const LiveRecord& live) {
                   location_schema());
     add_channel(state_of(entity->id), topic + "/state", "skein.Aircraft",
                 aircraft_schema());
-  } else if (const auto* event = std::get_if<Event>(&live.record)) {
+  } else if (const auto* event = std::get_if<Event>(&record)) {
     const auto whose = names_.find(event->entity);
     happened_.push_back(
-        {kLog, messages_.since_1970_ns(event->time),
+        {kLogChannel, messages_.since_1970_ns(event->time),
          messages_.log(*event, whose == names_.end() ? "" : whose->second)});
-  } else if (const auto* boundary = std::get_if<PerimeterRecord>(&live.record)) {
+  } else if (const auto* boundary = std::get_if<PerimeterRecord>(&record)) {
     boundaries_[boundary->mission] = *boundary;
-    changed_.insert({kBoundaries, kBoundariesOnMap});
-  } else if (const auto* zone = std::get_if<ZoneRecord>(&live.record)) {
+    changed_.insert({kBoundariesChannel, kBoundariesOnMapChannel});
+  } else if (const auto* zone = std::get_if<ZoneRecord>(&record)) {
     if (zone->change.on)
       zones_[zone->change.zone.name] = zone->change.zone;
     else
       zones_.erase(zone->change.zone.name);
-    changed_.insert({kZones, kZonesOnMap});
-  } else if (const auto* path = std::get_if<FlightPathRecord>(&live.record)) {
+    changed_.insert({kZonesChannel, kZonesOnMapChannel});
+  } else if (const auto* path = std::get_if<FlightPathRecord>(&record)) {
     paths_[path->id] = *path;
-    changed_.insert(kPaths);
+    changed_.insert(kPathsChannel);
   }
 }
 
@@ -134,27 +136,27 @@ std::optional<View::Said> View::state(std::uint32_t channel) const {
     return Said{channel, messages_.since_1970_ns(time), std::move(payload)};
   };
   switch (channel) {
-    case kTransforms:
+    case kTransformsChannel:
       return said(messages_.transforms(fleet_, names_));
-    case kAircraft:
+    case kAircraftChannel:
       return said(messages_.aircraft(fleet_, names_));
-    case kBoundaries:
+    case kBoundariesChannel:
       return said(messages_.boundaries(boundaries_, time));
-    case kBoundariesOnMap:
+    case kBoundariesOnMapChannel:
       return said(messages_.boundaries_on_map(boundaries_));
-    case kZones:
+    case kZonesChannel:
       return said(messages_.zones(zones_, time));
-    case kZonesOnMap:
+    case kZonesOnMapChannel:
       return said(messages_.zones_on_map(zones_));
-    case kPaths:
+    case kPathsChannel:
       return said(messages_.paths(paths_, time));
-    case kClock:
+    case kClockChannel:
       return said(messages_.clock(clock_));
     default:
       break;
   }
-  if (channel < kFirstOfAircraft) return std::nullopt;  // what happens
-  const EntityId id{(channel - kFirstOfAircraft) / 2};
+  if (channel < kFirstAircraftChannel) return std::nullopt;  // what happens
+  const EntityId id{(channel - kFirstAircraftChannel) / 2};
   const auto view = std::find_if(fleet_.vehicles.begin(), fleet_.vehicles.end(),
                                  [id](const VehicleView& each) { return each.id == id; });
   if (view == fleet_.vehicles.end()) return std::nullopt;

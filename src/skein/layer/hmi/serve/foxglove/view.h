@@ -27,6 +27,9 @@ class View {
 
   void take(const std::vector<LiveItem>& items);
 
+  /// The run has ended.
+  bool is_over() const { return clock_.over; }
+
   /// All that there are.
   const std::vector<Channel>& channels() const { return channels_; }
   /// Those that have come since the last call.
@@ -40,7 +43,7 @@ class View {
   std::optional<Said> state(std::uint32_t channel) const;
 
  private:
-  void take(const LiveRecord& live);
+  void take_record(const Record& record);
   void add_channel(std::uint32_t id, std::string topic, const char* schema_name,
                    std::string schema);
   void clear();

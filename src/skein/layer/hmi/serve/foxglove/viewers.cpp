@@ -90,7 +90,8 @@ bool Viewers::deliver(bool with_truth, const SharedBytes& news,
   announce(with_truth);
   for (const View::Said& said : side.view.take_happened()) publish(with_truth, said);
   const Moment now = std::chrono::steady_clock::now();
-  if (now >= side.next) {
+  // Nothing may come behind the end of a run.
+  if (now >= side.next || side.view.is_over()) {
     side.next = now + kPeriod;
     publish_changes(side, with_truth);
   }

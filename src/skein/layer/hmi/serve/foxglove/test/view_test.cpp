@@ -83,8 +83,9 @@ TEST_F(FoxgloveView, AnAircraftThatFliesEastPointsAlongX) {
 
 TEST_F(FoxgloveView, PlacesInDegreesAreThoseOfTheFrame) {
   const Json fix = state("/aircraft/scout-1/location");
-  const geo::Vec3 back =
-      facts().frame->to_local({fix["latitude"], fix["longitude"], fix["altitude"]});
+  const Vec3 back = facts().frame->to_local({fix["latitude"].get<double>(),
+                                             fix["longitude"].get<double>(),
+                                             fix["altitude"].get<double>()});
   EXPECT_NEAR(back.x(), 1000, 0.01);
   EXPECT_NEAR(back.y(), 200, 0.01);
   EXPECT_NEAR(back.z(), -420, 0.01);
