@@ -31,7 +31,7 @@ function faultsOf(value, schema, where) {
   return faults;
 }
 
-const run = await serve(program, "run", scenario, "--serve", "0", "--speed", "0", "--overwrite", "--out", join(folder, "foxglove-run"));
+const run = await serve(program, "run", scenario, "--serve", "0", "--speed", "30", "--overwrite", "--out", join(folder, "foxglove-run"));
 try {
   for (const protocol of [FoxgloveClient.SUPPORTED_SUBPROTOCOL, "foxglove.sdk.v1"]) {
     const socket = new WebSocket(run.place.replace("http", "ws"), [protocol]);

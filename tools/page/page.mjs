@@ -141,7 +141,7 @@ aircraft: [{name: scout, count: 2, start: {placement: line, centre_m: [0, 0], sp
   await form.getByRole("button", { name: "Fly ahead" }).click();
   const said = await until(page, "what a task would become", () => document.querySelector(".previews li")?.textContent ?? "",
     (text) => /done after/.test(text));
-  check(/battery/.test(said), `a task says what it takes before it is given: ${said}`);
+  check(/\d m|km/.test(said), `a task says what it takes before it is given: ${said}`);
   check(await page.evaluate(() => window.skein.world.tasks.get(1) === undefined), "nothing was given");
   await page.screenshot({ path: join(folder, "fly-ahead.png") });
   await form.getByRole("button", { name: "Send" }).click();
@@ -153,6 +153,7 @@ aircraft: [{name: scout, count: 2, start: {placement: line, centre_m: [0, 0], sp
   await page.evaluate(({ north_m, east_m, radius_m }) => window.skein.command({ kind: "zone", in_force: true, name: "wood",
     area: { kind: "disc", centre_north_m: north_m, centre_east_m: east_m, radius_m } }, "zone"), zone);
   await untilWith(page, "a path around the zone", keepsOut, [1, zone]);
+  await page.waitForTimeout(1500);
   await page.screenshot({ path: join(folder, "re-plan.png") });
   check(true, "a zone that is drawn across a plan leads the plan around it");
 
@@ -190,6 +191,9 @@ missions:
   };
   const approved = await until(page, "an approved allocation", flown, (each) => each?.state === "approved", 60000);
   check(approved.shares.length === 3, "a proposal is approved by its button");
+  await until(page, "what members of the team do", () => Array.from({ length: window.skein.world.fleet.count }, (_, row) => window.skein.doing(row)).join(),
+    (text) => /measures at a point/.test(text));
+  await page.waitForTimeout(1000);
   await page.screenshot({ path: join(folder, "approved.png") });
 
   // One of those that fly a task fails: another takes it over without asking.

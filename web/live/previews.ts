@@ -49,8 +49,9 @@ export class Previews {
     asked.path = preview.points;
     asked.state = preview.problem ? "refused" : "known";
     asked.text = preview.problem ? `${asked.aircraft}: ${preview.problem}`
-      : T.task.previewed(asked.aircraft, preview.done, clock(preview.duration_s ?? 0), units.distance(preview.length_m),
-        units.percent(preview.charge), units.percent(preview.charge_left));
+      : T.task.previewed(asked.aircraft, preview.done, clock(preview.duration_s ?? 0), units.distance(preview.length_m)) +
+        // Simple models have no battery.
+        (preview.charge ? T.task.previewedBattery(units.percent(preview.charge), units.percent(preview.charge_left)) : "");
     this.changed();
   }
 

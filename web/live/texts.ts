@@ -147,8 +147,8 @@ export const T = {
     emptyIsDefault: "empty: as it is",
     preview: "Fly ahead",
     previewAsked: (name: string) => `${name}: is flown ahead…`,
-    previewed: (name: string, done: boolean, time: string, length: string, charge: string, left: string) =>
-      `${name}: ${done ? "done" : "not done"} after ${time} and ${length}; takes ${charge} of the battery, ${left} is left.`,
+    previewed: (name: string, done: boolean, time: string, length: string) => `${name}: ${done ? "done" : "not done"} after ${time} and ${length}`,
+    previewedBattery: (charge: string, left: string) => `; takes ${charge} of the battery, ${left} is left`,
     heightSpeed: "Height, speed",
     heightOrSpeed: "How high, or how fast?",
   },

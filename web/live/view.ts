@@ -102,15 +102,17 @@ export abstract class RunView {
 
   /** What an aircraft does, in a few words. */
   doing(row: number): string {
-    const { fleet, tasks } = this.world, failsafe = fleet.word(row, "failsafe"), reaction = fleet.word(row, "reaction");
+    const { fleet, tasks, flown } = this.world, failsafe = fleet.word(row, "failsafe"), reaction = fleet.word(row, "reaction");
     if (failsafe && failsafe !== "none") {
       const does = T.task.reactions[reaction];
       return `${T.task.failsafes[failsafe] ?? failsafe}${does ? `, ${does}` : ""}`;
     }
     const mode = fleet.word(row, "mode");
     if (mode === "manual" || mode === "stabilized") return mode;
-    const task = tasks.get(fleet.ids[row]);
-    return task ? T.task.verbs[task.what.kind] ?? task.what.kind : T.task.none;
+    const id = fleet.ids[row], task = tasks.get(id);
+    // Members of a team that leads itself have their tasks from there.
+    if (!task) return T.task.verbs[flown.get(id) ?? ""] ?? T.task.none;
+    return T.task.verbs[task.what.kind] ?? task.what.kind;
   }
 
   private readonly text = { name: "", line: "", warned: false };

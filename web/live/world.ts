@@ -71,6 +71,7 @@ export class World {
   readonly paths = new Map<number, FlightPath>(); // how aircraft expect to fly
   readonly reasons = new Map<number, TaskReason>(); // why they have their tasks
   readonly planners = new Map<number, Planner>();
+  readonly flown = new Map<number, string>(); // the kind of task that is flown, whoever gave it
   readonly footprints = new Map<number, Footprint>();
   readonly allocations = new Map<string, TeamAllocation>();
   readonly leads = new Map<number, TeamLead>();
@@ -125,7 +126,7 @@ export class World {
     this.fleet.clear();
     this.truth.clear();
     for (const map of [this.entities, this.perimeters, this.forecasts, this.arrivals, this.zones, this.objects, this.objectMotions,
-      this.objectBeliefs, this.missions, this.metrics, this.tasks, this.paths, this.reasons, this.planners, this.footprints,
+      this.objectBeliefs, this.missions, this.metrics, this.tasks, this.paths, this.reasons, this.planners, this.flown, this.footprints,
       this.allocations, this.leads, this.alerts, this.recommendations, this.links, this.traffic, this.trafficMotions, this.trafficTracks, this.ids])
       (map as Map<unknown, unknown>).clear();
     this.found.clear();
@@ -216,7 +217,11 @@ export class World {
     traffic_track: (track: TrafficTrack) => { this.trafficTracks.set(`${track.believer_id} ${track.track}`, track); this.touch("traffic"); },
     flight_path: (path: FlightPath) => { this.paths.set(path.entity_id, path); this.touch("paths"); },
     task_reason: (reason: TaskReason) => { this.reasons.set(reason.aircraft_id, reason); this.touch("tasks"); },
-    planner: (planner: Planner) => { this.planners.set(planner.entity_id, planner); this.touch("planners"); },
+    planner: (planner: Planner) => {
+      this.planners.set(planner.entity_id, planner);
+      if (planner.link === "task") this.flown.set(planner.entity_id, planner.reason);
+      this.touch("planners");
+    },
     footprint: (footprint: Footprint) => { this.footprints.set(footprint.entity_id, footprint); this.touch("tracks"); },
   };
 

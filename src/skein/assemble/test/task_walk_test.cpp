@@ -76,6 +76,7 @@ class Walk {
     for (const std::string& name : zones_)
       send(ZoneChange{++zone_number_, false, named(name)});
     zones_.clear();
+    send(FlightChange{++flight_number_, 120, 20});  // as the test's aircraft flies
     send(Task{++number_, FlyTo{place}});
     for (int k = 0; k < 1000; ++k) {
       think();

@@ -23,6 +23,7 @@ std::string set_flight(FlightContext& context, const FlightChange& change) {
     const double ratio = *change.airspeed / limits.airspeed;
     limits.turn_radius *= ratio * ratio;  // with the same bank
     limits.airspeed = *change.airspeed;
+    context.ordered_airspeed = change.airspeed;
   }
   return {};
 }

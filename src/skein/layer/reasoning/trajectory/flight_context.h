@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "skein/base/id.h"
 #include "skein/data/vehicle.h"
@@ -16,6 +17,8 @@ struct FlightContext {
   const Terrain* map = nullptr;  ///< the ground as believed; outlives who has this
   std::shared_ptr<const PathPlanner> planner;  ///< of paths around zones; null: none
   double altitude_agl = 120;                   ///< to be flown above the ground [m]
+  /// As last ordered [m/s]; none: the autopilot's own. `limits` have it too.
+  std::optional<double> ordered_airspeed = {};
 };
 
 /// What plans are made with: wider turns than the aircraft can fly, wider still for one

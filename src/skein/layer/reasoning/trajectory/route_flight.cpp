@@ -49,7 +49,7 @@ void RouteFlight::give(decltype(AutopilotCommand::guidance) guidance, AgentOutpu
   AutopilotCommand command;
   command.guidance = std::move(guidance);
   command.altitude_msl = legs_.altitude_msl;
-  command.airspeed = legs_.airspeed;
+  command.airspeed = legs_.airspeed ? legs_.airspeed : context_.ordered_airspeed;
   out.command = std::move(command);
 }
 

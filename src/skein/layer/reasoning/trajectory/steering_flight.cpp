@@ -32,7 +32,7 @@ void steer(const Steering& intent, const FlightContext& context,
   const NavEstimate& nav = *step.in.nav;
   AutopilotCommand command;
   command.altitude_msl = altitude_for(intent.altitude_msl, context, nav);
-  command.airspeed = intent.airspeed;
+  command.airspeed = intent.airspeed ? intent.airspeed : context.ordered_airspeed;
   command.guidance =
       step.zones.keep_out(intent.guidance, intent.course, nav, command.altitude_msl);
   out.command = std::move(command);
