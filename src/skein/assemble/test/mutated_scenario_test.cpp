@@ -88,7 +88,7 @@ TEST(MutatedScenario, AlwaysGetsAnAnswer) {
       return scenario::Override{path + "=" + any(kValues)};
     };
     // Of scenarios with many aircraft, whose keys are the same ones again, some keys.
-    constexpr std::size_t kMaxPaths = 250;
+    constexpr std::size_t kMaxPaths = 100;
     const std::size_t stride = 1 + paths.size() / kMaxPaths;
     for (std::size_t at = 0; at < paths.size(); at += stride) {
       const std::string& path = paths[at];
