@@ -33,7 +33,8 @@ async function steersARun() {
   const page = await open(run.place);
   await complete(page);
   await until(page, "four aircraft", () => window.skein.world.fleet.count, (count) => count === 4);
-  check((await page.locator(".fleet-row").count()) === 4, "the fleet is listed");
+  await until(page, "rows of the fleet", () => document.querySelectorAll(".fleet-row").length, (count) => count === 4);
+  check(true, "the fleet is listed");
   const before = await page.evaluate(time);
   await until(page, "simulated time", time, (now) => now > before + 2);
 
