@@ -40,6 +40,15 @@ std::string unforeseen(const TaskKind& what) {
   return {};
 }
 
+// With its times counted from now on.
+TaskKind from_now(TaskKind what, Time now) {
+  if (auto* rendezvous = std::get_if<Rendezvous>(&what))
+    rendezvous->time = rendezvous->time - now;
+  if (auto* flown = std::get_if<FlyPlan>(&what))
+    for (FlightElement& element : flown->plan) element.start -= now.seconds();
+  return what;
+}
+
 std::string text_of(const Command& command) {
   return json::to_json(command).dump();
 }
@@ -96,9 +105,14 @@ scenario::Scenario alone(const scenario::Scenario& scenario,
     zone.until -= order.time.seconds();
     own.commands.push_back({Time(), text_of(ZoneChange{0, true, std::move(zone)})});
   }
+  const std::string name = aircraft_names(own).front().front();
+  if (order.flight)
+    own.commands.push_back(
+        {Time(), text_of(FlightChangeCommand{name, order.flight->altitude_agl,
+                                             order.flight->airspeed})});
   TaskCommand task;
-  task.aircraft = aircraft_names(own).front().front();
-  task.what = order.what;
+  task.aircraft = name;
+  task.what = from_now(order.what, order.time);
   own.commands.push_back({Time(), text_of(task)});
   return own;
 }

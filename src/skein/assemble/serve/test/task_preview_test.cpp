@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kScenario = R"(
 name: previewed
 duration_s: 600
-environment: {wind: {kind: uniform, speed_mps: 4, from_deg: 200}}
+environment: {terrain: flat, wind: {kind: uniform, speed_mps: 4, from_deg: 200}}
 aircraft:
   - {name: other, count: 2}
   - name: scout
@@ -82,6 +82,31 @@ TEST_F(TaskPreviewTest, LeadsAroundZonesThatAreInForceNow) {
     EXPECT_GT((at(point) - Vec2(500, 700)).norm(), 250) << point.ahead;
   asked.zones[0].until = 90;  // it is over
   EXPECT_LT(preview(asked).length, flown.length - 20);
+}
+
+TEST_F(TaskPreviewTest, TimesAreThoseOfTheRun) {
+  const TaskPreview flown =
+      preview(order(Rendezvous{Vec2(500, 1700), Time::from_seconds(100 + 300), {}}));
+  EXPECT_EQ(flown.problem, "");
+  double nearest = 1e9, when = 0;
+  for (const PathPoint& point : flown.path.points)
+    if (const double off = (at(point) - Vec2(500, 1700)).norm(); off < nearest) {
+      nearest = off;
+      when = point.ahead;
+    }
+  EXPECT_LT(nearest, 60);
+  EXPECT_NEAR(when, 300, 20);  // in 300 s: at 400 s of the run
+}
+
+TEST_F(TaskPreviewTest, IsFlownAsHighAndFastAsWasCommanded) {
+  hmi::PreviewOrder asked = order(FlyTo{Vec2(500, 3700)});
+  const TaskPreview before = preview(asked);
+  asked.flight = FlightChangeCommand{"scout-2", 200, 16};
+  const TaskPreview after = preview(asked);
+  EXPECT_TRUE(after.done) << after.problem;
+  EXPECT_GT(after.duration, 1.1 * before.duration);
+  EXPECT_NEAR(before.path.points.back().altitude_msl, 120, 10);
+  EXPECT_NEAR(after.path.points.back().altitude_msl, 200, 10);
 }
 
 TEST_F(TaskPreviewTest, WhatCannotBeFlownOrForeseenIsSaid) {

@@ -48,6 +48,12 @@ void LiveFeed::take_given(const CommandRecord& given) {
   if (recorded_) return;
   settle(RequestState::kAccepted);
   if (const auto* wind = std::get_if<WindCommand>(&given.command)) wind_ = *wind;
+  if (const auto* flight = std::get_if<FlightChangeCommand>(&given.command)) {
+    FlightChangeCommand& last = flights_[flight->aircraft];
+    last.aircraft = flight->aircraft;
+    if (flight->altitude_agl) last.altitude_agl = flight->altitude_agl;
+    if (flight->airspeed) last.airspeed = flight->airspeed;
+  }
   if (const auto* pause = std::get_if<PauseCommand>(&given.command))
     clock_.paused = pause->paused;
   if (const auto* speed = std::get_if<SpeedCommand>(&given.command))
@@ -185,6 +191,8 @@ void LiveFeed::preview(const ClientCommand& asked, const TaskCommand& task) {
                  view == fleet.vehicles.end() ? "no such aircraft takes part."
                                               : "the run is over.");
   PreviewOrder order{task.aircraft, task.what, clock_.time, *view, {}, wind_};
+  if (const auto flight = flights_.find(task.aircraft); flight != flights_.end())
+    order.flight = flight->second;
   state_.for_each([&](const Record& record) {
     if (const auto* zone = std::get_if<ZoneRecord>(&record); zone && zone->change.on)
       order.zones.push_back(zone->change.zone);

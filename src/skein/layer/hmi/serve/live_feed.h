@@ -25,6 +25,8 @@ struct PreviewOrder {
   VehicleView now;                       ///< of the aircraft
   std::vector<Zone> zones;               ///< in force
   std::optional<WindCommand> wind = {};  ///< that was commanded last
+  /// Height and speed that were commanded for the aircraft.
+  std::optional<FlightChangeCommand> flight = {};
 };
 
 /// Finds out what an aircraft would do, and answers by LiveHub::reply().
@@ -114,9 +116,10 @@ class LiveFeed final : public Recorder {
   Time measured_from_;
   std::map<EntityId, std::string> names_;
   Previewer previewer_;
-  std::optional<WindCommand> wind_;  // commanded last
-  std::deque<Request> awaited_;      // given to the run, not obeyed yet
-  std::optional<Request> current_;   // being obeyed
+  std::optional<WindCommand> wind_;                     // commanded last
+  std::map<std::string, FlightChangeCommand> flights_;  // by aircraft
+  std::deque<Request> awaited_;     // given to the run, not obeyed yet
+  std::optional<Request> current_;  // being obeyed
   std::deque<Request> obeyed_;  // that may still be refused by those whom they concern
 };
 

@@ -40,6 +40,7 @@ void LiveHub::publish(LiveBatch batch) {
 void LiveHub::all_behind() {
   server_->post([this] {
     for (auto& [number, watcher] : watchers_) watcher.behind = true;
+    viewers_.fall_behind();
     if (!watchers_.empty()) state_wanted_ = true;
   });
 }
@@ -224,7 +225,7 @@ void LiveHub::command(ClientNumber client, std::uint32_t number,
 }
 
 void LiveHub::hand_to_run(ClientNumber client, std::uint32_t number,
-                          std::variant<Command, SeekRequest> what) {
+                          decltype(ClientCommand::what) what) {
   if (holder_ == 0) {
     holder_ = client;
     tell_clients();
@@ -232,9 +233,7 @@ void LiveHub::hand_to_run(ClientNumber client, std::uint32_t number,
   if (holder_ != client)
     return answer_to(client, number, RequestState::kRefused,
                      fmt::format("{} holds control.", name_of(holder_)));
-  ClientCommand asked{client, number, sender_of(client), {}};
-  std::visit([&](auto& one) { asked.what = std::move(one); }, what);
-  put(std::move(asked));
+  put({client, number, sender_of(client), std::move(what)});
 }
 
 // Who only asks needs no control.

@@ -103,7 +103,7 @@ class LiveHub final : public WebListener {
   void obey(ClientNumber client, const ClientRequest& request);
   void command(ClientNumber client, std::uint32_t number, const std::string& line);
   void hand_to_run(ClientNumber client, std::uint32_t number,
-                   std::variant<Command, SeekRequest> what);
+                   decltype(ClientCommand::what) what);
   void preview(ClientNumber client, std::uint32_t number, const std::string& line);
   void put(ClientCommand asked);
   void hold(ClientNumber client, std::uint32_t number, bool wanted);

@@ -22,8 +22,8 @@ void FlightChanges::order(EntityId aircraft, const FlightChange& change, Time no
 void FlightChanges::confirm(EntityId aircraft, const FlightChange& flown) {
   const auto order = orders_.find(aircraft);
   if (order == orders_.end() || order->second.change.number != flown.number) return;
-  // What it did not take is not said again with the next.
-  order->second.change = flown;
+  // With the next only that is said.
+  order->second.change = {flown.number};
   order->second.confirmed = true;
 }
 

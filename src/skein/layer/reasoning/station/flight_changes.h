@@ -12,7 +12,7 @@ namespace skein::reasoning {
 /// Says to aircraft how high and how fast to fly, again until each says that it knows.
 class FlightChanges {
  public:
-  /// What is not said anew stays as it was said last.
+  /// What was ordered before and is not confirmed yet is said with it.
   void order(EntityId aircraft, const FlightChange& change, Time now, AgentOutput& out);
   void confirm(EntityId aircraft, const FlightChange& flown);
   void resend(Time now, AgentOutput& out);

@@ -31,6 +31,11 @@ class Viewers {
   void set_sees_truth(ClientNumber client, bool sees_truth);
   void said(ClientNumber client, std::string_view message, bool is_text);
 
+  /// All have missed something: they are shown the state first.
+  void fall_behind() {
+    for (Side& side : sides_) side.behind = true;
+  }
+
   /// Takes in what the run says to those who see the truth, or to the others.
   /// @param news, state  as in LiveBatch; null: none.
   /// @returns            whether the state is needed.

@@ -50,6 +50,8 @@ class ServedRun {
   }
 
   std::uint16_t port() const { return port_; }
+  /// As a recorded run that goes to another time: all that was said is void.
+  void restart() { restarts_ = true; }
   /// Bytes that each step says besides.
   void say_much(std::size_t bytes) { much_ = bytes; }
 
@@ -58,6 +60,7 @@ class ServedRun {
     for (int step = 0; !ended_; ++step) {
       const Time now = Time::from_seconds(0.1 * step);
       for (const CommandRecord& given : feed_.take_commands()) obey(now, given);
+      if (restarts_.exchange(false)) feed_.restart(now);
       TruthRecord truth;
       truth.time = now;
       truth.id = EntityId{1};
@@ -102,7 +105,7 @@ class ServedRun {
   LiveFeed feed_{hub_, Time::from_seconds(3600), 1};
   std::unique_ptr<WebServer> server_;
   std::uint16_t port_ = 0;
-  std::atomic<bool> ended_ = false;
+  std::atomic<bool> ended_ = false, restarts_ = false;
   std::atomic<std::size_t> much_ = 0;
   std::thread thread_;
 };
@@ -347,6 +350,17 @@ TEST(Foxglove, ViewersHoldNoControlAndSeeNoTruthThatIsHidden) {
   // The first is empty: nothing of the other side is kept. Then there is a boundary.
   while (!has(read_data(viewer), "believed")) ASSERT_TRUE(viewer.is_open());
   for (int k = 0; k < 3; ++k) EXPECT_FALSE(has(read_data(viewer), "true "));
+}
+
+TEST(Foxglove, ViewersForgetWhatIsVoidAfterAJump) {
+  ServedRun run;
+  run.say_much(1600);  // a boundary
+  LiveClient viewer(run.port(), {}, "foxglove.websocket.v1");
+  viewer.say(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":3}]})");
+  while (!has(read_data(viewer), "believed")) ASSERT_TRUE(viewer.is_open());
+  run.say_much(0);
+  run.restart();
+  while (!has(read_data(viewer), "\"entities\":[]")) ASSERT_TRUE(viewer.is_open());
 }
 
 TEST(Foxglove, PagesOfOthersOnlyWatchAndOnlyWhereTheUserSaysSo) {

@@ -223,6 +223,11 @@ TEST_F(Control, HeightAndSpeedAreSaidAgainUntilTheAircraftKnowsThem) {
   fleet.second(station);
   fleet.answers.reset();
   for (int k = 0; k < 10; ++k) EXPECT_FALSE(said(fleet.second(station)));
+  // What it knows is not ordered anew with the next.
+  const auto third = said(fleet.second(station, {FlightChangeCommand{"b", {}, 20}}));
+  ASSERT_TRUE(third);
+  EXPECT_FALSE(third->altitude_agl);
+  EXPECT_EQ(third->airspeed, 20);
 }
 
 TEST_F(Control, NamesOfOthersBecomeTheirNumbers) {
