@@ -52,11 +52,11 @@ Json no_rotation() {
 
 // Of a body with x forward, y left, z up in the world.
 Json attitude(double heading_deg, double roll_deg) {
-  const double yaw = geo::kPi / 2 - geo::radians(heading_deg);
-  const double roll = geo::radians(roll_deg);
-  const double cy = std::cos(yaw / 2), sy = std::sin(yaw / 2);
-  const double cr = std::cos(roll / 2), sr = std::sin(roll / 2);
-  return {{"x", sr * cy}, {"y", sr * sy}, {"z", cr * sy}, {"w", cr * cy}};
+  geo::Euler angles;
+  angles.roll = geo::radians(roll_deg);
+  angles.yaw = geo::kPi / 2 - geo::radians(heading_deg);
+  const Quat q = geo::from_euler(angles);
+  return {{"x", q.x()}, {"y", q.y()}, {"z", q.z()}, {"w", q.w()}};
 }
 
 std::string name_of_entity(EntityId id, const Messages::Names& names) {

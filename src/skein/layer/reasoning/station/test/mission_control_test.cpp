@@ -206,28 +206,28 @@ TEST_F(Control, HeightAndSpeedAreSaidAgainUntilTheAircraftKnowsThem) {
       }
     return std::nullopt;
   };
-  const auto first = said(fleet.second(station, {FlightChangeCommand{"b", 150, {}}}));
-  ASSERT_TRUE(first);
-  EXPECT_EQ(first->altitude_agl, 150);
-  EXPECT_FALSE(first->airspeed);
+  const auto high = said(fleet.second(station, {FlightChangeCommand{"b", 150, {}}}));
+  ASSERT_TRUE(high);
+  EXPECT_EQ(high->altitude_agl, 150);
+  EXPECT_FALSE(high->airspeed);
   // Lost: what is said next has both.
-  const auto second = said(fleet.second(station, {FlightChangeCommand{"b", {}, 22}}));
-  ASSERT_TRUE(second);
-  EXPECT_GT(second->number, first->number);
-  EXPECT_EQ(second->altitude_agl, 150);
-  EXPECT_EQ(second->airspeed, 22);
+  const auto both = said(fleet.second(station, {FlightChangeCommand{"b", {}, 22}}));
+  ASSERT_TRUE(both);
+  EXPECT_GT(both->number, high->number);
+  EXPECT_EQ(both->altitude_agl, 150);
+  EXPECT_EQ(both->airspeed, 22);
   int again = 0;
   for (int k = 0; k < 10; ++k) again += said(fleet.second(station)).has_value();
   EXPECT_GE(again, 2);
-  fleet.answers = {EntityId{2}, {}, 0, Time(), *second};
+  fleet.answers = {EntityId{2}, {}, 0, Time(), *both};
   fleet.second(station);
   fleet.answers.reset();
   for (int k = 0; k < 10; ++k) EXPECT_FALSE(said(fleet.second(station)));
   // What it knows is not ordered anew with the next.
-  const auto third = said(fleet.second(station, {FlightChangeCommand{"b", {}, 20}}));
-  ASSERT_TRUE(third);
-  EXPECT_FALSE(third->altitude_agl);
-  EXPECT_EQ(third->airspeed, 20);
+  const auto slower = said(fleet.second(station, {FlightChangeCommand{"b", {}, 20}}));
+  ASSERT_TRUE(slower);
+  EXPECT_FALSE(slower->altitude_agl);
+  EXPECT_EQ(slower->airspeed, 20);
 }
 
 TEST_F(Control, NamesOfOthersBecomeTheirNumbers) {
