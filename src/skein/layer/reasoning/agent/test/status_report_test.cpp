@@ -17,7 +17,8 @@ struct Said {
 // What is reported until `end`, in steps of `step`, where the air has room for a share.
 std::vector<Said> reports(double end, double step, double (*share)(double time)) {
   StatusReport status(kSelf, kStation, 1);
-  FlightContext context{kSelf};
+  FlightContext context;
+  context.self = kSelf;
   const TaskPlanner tasks(context, kStation, {});
   std::vector<Said> said;
   for (int k = 0; k * step < end; ++k) {
