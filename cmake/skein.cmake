@@ -8,7 +8,8 @@
 
 # Source files of a target are compiled together, some at a time: what they include is read
 # once, and building the program takes 0.6 of the time (docs/building.md). Names of an
-# anonymous namespace are therefore unique within a folder.
+# anonymous namespace are therefore unique within a folder; each test has a namespace of its
+# own around it, skein::...::<file>.
 function(skein_unity target)
   set_target_properties(${target} PROPERTIES
     UNITY_BUILD ${SKEIN_UNITY} UNITY_BUILD_BATCH_SIZE 8)
@@ -49,6 +50,11 @@ function(skein_module name)
     add_executable(${name}_test ${ARG_TESTS})
     skein_link(${name}_test PRIVATE ${name} ${ARG_TEST_NEEDS} skein_warnings GTest::gtest_main)
     target_precompile_headers(${name}_test REUSE_FROM skein_precompiled_tests${SKEIN_PRECOMPILED})
+    skein_unity(${name}_test)
+    # They replace operator new, and the compiler warns where it inlines that elsewhere.
+    set(counting ${ARG_TESTS})
+    list(FILTER counting INCLUDE REGEX "/allocations?(_test)?\\.cpp$")
+    set_source_files_properties(${counting} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     target_compile_definitions(${name}_test PRIVATE
       SKEIN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
       SKEIN_SHARED_DATA="${SKEIN_SHARED_DATA}")

@@ -11,7 +11,7 @@
 #include "skein/scenario/scenario_file.h"
 #include "skein/simulation/simulated_vehicle.h"
 
-namespace skein::assemble {
+namespace skein::assemble::aircraft_builder_test {
 namespace {
 
 scenario::Scenario read(const std::string& text) {
@@ -228,4 +228,4 @@ TEST(Sampling, FlightSensorsSampleAtTheVehiclesOwnStep) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::aircraft_builder_test

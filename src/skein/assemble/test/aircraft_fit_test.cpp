@@ -8,7 +8,7 @@
 #include "skein/layer/sensory/ideal_navigation.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::aircraft_fit_test {
 namespace {
 
 // What a scenario with one group of aircraft is refused for; nothing when it is built.
@@ -175,4 +175,4 @@ TEST(AircraftFit, AStationWithoutHeartbeatsGivesAWarning) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::aircraft_fit_test

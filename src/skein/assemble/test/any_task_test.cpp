@@ -11,7 +11,7 @@
 #include "skein/model/connection/airplane.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::assemble {
+namespace skein::assemble::any_task_test {
 namespace {
 
 // Ordered by an operator, one after the other.
@@ -489,4 +489,4 @@ commands:
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::any_task_test

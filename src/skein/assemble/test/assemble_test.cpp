@@ -11,7 +11,7 @@
 #include "skein/scenario/scenario_file.h"
 #include "skein/simulation/simulated_vehicle.h"
 
-namespace skein::assemble {
+namespace skein::assemble::assemble_test {
 namespace {
 
 using scenario::AircraftGroup;
@@ -389,4 +389,4 @@ TEST(Presence, CutsOutWhatAnAircraftMisses) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::assemble_test

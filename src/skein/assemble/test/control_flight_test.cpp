@@ -11,7 +11,7 @@
 #include "skein/layer/autopilot/control/fixed_wing_control.h"
 #include "skein/layer/autopilot/guidance/fixed_wing_guidance.h"
 
-namespace skein {
+namespace skein::control_flight_test {
 namespace {
 
 using autopilot::FixedWingControl;
@@ -424,4 +424,4 @@ TEST(FixedWingFlight, TouchesDownOnWheelsAlongTheCourseInACrosswind) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::control_flight_test

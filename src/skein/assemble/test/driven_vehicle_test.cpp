@@ -13,7 +13,7 @@
 #include "skein/role/wind_field.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::driven_vehicle_test {
 namespace {
 
 constexpr const char* kAerosonde = "{kind: fixed-wing, aircraft: aerosonde}";
@@ -120,4 +120,4 @@ TEST(DrivenVehicle, KeepsTheContractOfItsRoleButForAnswers) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::driven_vehicle_test

@@ -24,7 +24,7 @@
 #include "skein/layer/sensory/magnetometer.h"
 #include "skein/layer/sensory/test/test_world.h"
 
-namespace skein {
+namespace skein::estimator_flight_test {
 namespace {
 
 namespace error = autopilot::error;
@@ -311,4 +311,4 @@ TEST(EstimatorFlight, IsConsistentOnRotorsInWindWithTurbulence) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::estimator_flight_test

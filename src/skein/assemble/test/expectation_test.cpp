@@ -13,7 +13,7 @@
 #include "skein/assemble/run.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::expectation_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, Expectation, testing::ValuesIn(expectation_f
                          });
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::expectation_test

@@ -6,7 +6,7 @@
 
 #include "skein/assemble/test/whole_flight.h"
 
-namespace skein::assemble {
+namespace skein::assemble::failsafe_flight_test {
 namespace {
 
 // A multirotor that has lost its satellites must be down before it has lost its velocity:
@@ -256,4 +256,4 @@ TEST(Failsafe, ThePilotTakesOverFromAFailsafeAndHandsBackToIt) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::failsafe_flight_test

@@ -27,7 +27,7 @@
 #include "skein/role/vehicle.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::flight_model_kind_test {
 namespace {
 
 std::string outside_text(const std::string& vehicle, const std::string& more = "",
@@ -271,4 +271,4 @@ TEST(FlightModelKind, FliesAnOutsidePlantAndDoesTheRunAgainWithoutIt) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::flight_model_kind_test

@@ -12,7 +12,7 @@
 #include "skein/assemble/run.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::flight_path_run_test {
 namespace {
 
 class Ahead final : public Recorder {
@@ -138,4 +138,4 @@ missions: [{{kind: perimeter, name: fire, strategy: {}}}]
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::flight_path_run_test

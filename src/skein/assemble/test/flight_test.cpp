@@ -10,7 +10,7 @@
 #include "skein/model/path/path_cursor.h"
 #include "skein/model/path/wind_triangle.h"
 
-namespace skein::assemble {
+namespace skein::assemble::flight_test {
 namespace {
 
 constexpr double kHeight = 100;
@@ -248,4 +248,4 @@ TEST(WholeAircraft, FlyFromGroundToGround) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::flight_test

@@ -10,7 +10,7 @@
 
 #include "skein/assemble/test/whole_flight.h"
 
-namespace skein::assemble {
+namespace skein::assemble::formation_flight_test {
 namespace {
 
 // Forty aircraft of three kinds, with all sensors, gusts, errors of their parameters and
@@ -109,4 +109,4 @@ TEST(WholeFormation, FollowersKeepTheirSlotsAndTheLeaderIsSwapped) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::formation_flight_test

@@ -7,7 +7,7 @@
 
 #include "skein/assemble/test/whole_flight.h"
 
-namespace skein::assemble {
+namespace skein::assemble::ground_flight_test {
 namespace {
 
 std::string scenario_of(const char* plant, const char* agent, const char* more = "") {
@@ -103,4 +103,4 @@ TEST(WholeRoute, ThroughANoFlightZoneIsRefusedWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::ground_flight_test

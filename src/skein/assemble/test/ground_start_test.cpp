@@ -13,7 +13,7 @@
 #include "skein/assemble/test/whole_flight.h"
 #include "skein/campaign/ground_starts_study.h"
 
-namespace skein::assemble {
+namespace skein::assemble::ground_start_test {
 namespace {
 
 // Neither these seeds nor those of the study's figures were used to choose any number.
@@ -90,4 +90,4 @@ TEST(GroundStart, OneThatIsThrownByHandIsHeldIntoTheWind) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::ground_start_test

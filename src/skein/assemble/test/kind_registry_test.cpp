@@ -15,7 +15,7 @@
 #include "skein/role/routing.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::kind_registry_test {
 namespace {
 
 struct PatientOptions {
@@ -245,4 +245,4 @@ TEST(PluginsOfAScenario, AreLoadedBeforeItsKindsAreRead) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::kind_registry_test

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace skein::assemble {
+namespace skein::assemble::map_places_test {
 namespace {
 
 using scenario::FeatureUse;
@@ -83,4 +83,4 @@ TEST_F(MapPlaces, SaysWhatTheFileHasInstead) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::map_places_test

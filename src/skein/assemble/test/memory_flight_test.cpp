@@ -3,7 +3,7 @@
 
 #include "skein/assemble/test/whole_flight.h"
 
-namespace skein::assemble {
+namespace skein::assemble::memory_flight_test {
 namespace {
 
 // A physical and a virtual object beside the line north; aircraft of four kinds fly it
@@ -127,4 +127,4 @@ TEST(MemoryFlight, WithoutPhysicalObjectsThereIsNoMemory) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::memory_flight_test

@@ -10,7 +10,7 @@
 #include "skein/base/random.h"
 #include "skein/record/object_track.h"
 
-namespace skein::assemble {
+namespace skein::assemble::mission_flight_test {
 namespace {
 
 // The files that it names are where it is.
@@ -190,4 +190,4 @@ TEST(MissionFlight, TheListOfTasksIsFlownByEachKindOfAircraft) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::mission_flight_test

@@ -11,7 +11,7 @@
 #include "skein/role/operator_console.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::mixed_flight_test {
 namespace {
 
 using vehicle_links::StandIns;
@@ -148,4 +148,4 @@ TEST(MixedFlight, AnAircraftElsewhereIsSentWhatItsScenarioAsksFor) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::mixed_flight_test

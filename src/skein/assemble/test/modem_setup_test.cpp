@@ -13,7 +13,7 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::modem_setup_test {
 namespace {
 
 scenario::ReadOutcome read_pair(const std::string& modem, const std::string& vehicle,
@@ -162,4 +162,4 @@ TEST_F(SealedModem, NeedsAKeyThatCanBeRead) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::modem_setup_test

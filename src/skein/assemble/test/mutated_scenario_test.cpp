@@ -11,7 +11,7 @@
 #include "skein/scenario/parse.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::mutated_scenario_test {
 namespace {
 
 using scenario::Node;
@@ -116,4 +116,4 @@ TEST(MutatedScenario, EveryPeriodMayBeAnything) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::mutated_scenario_test

@@ -2,7 +2,7 @@
 
 #include "skein/assemble/test/whole_flight.h"
 
-namespace skein::assemble {
+namespace skein::assemble::payload_flight_test {
 namespace {
 
 // North along a line over a car and past a man; a second car is far away.
@@ -53,4 +53,4 @@ TEST(PayloadFlight, IsTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::payload_flight_test

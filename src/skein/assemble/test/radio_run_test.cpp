@@ -16,7 +16,7 @@
 #include "skein/data/record.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::radio_run_test {
 namespace {
 
 // What an aircraft says to its station, and where it is then.
@@ -155,4 +155,4 @@ TEST(RadioOfARun, CountsHeightsOfTwoRaysFromItsGround) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::radio_run_test

@@ -9,7 +9,7 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::radio_security_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -95,4 +95,4 @@ TEST(RadioSecurity, TakesKeysThatNobodyElseCanRead) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::radio_security_test

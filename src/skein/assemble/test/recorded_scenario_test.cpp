@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace skein::assemble {
+namespace skein::assemble::recorded_scenario_test {
 namespace {
 
 // A square with a side of `degrees` about 38.9 N, 121 W, burnt at `time`.
@@ -51,4 +51,4 @@ TEST(RecordedScenario, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::recorded_scenario_test

@@ -9,7 +9,7 @@
 #include "skein/layer/asset/multirotor/multirotor_plant.h"
 #include "skein/layer/autopilot/control/multirotor_control.h"
 
-namespace skein {
+namespace skein::rotor_flight_test {
 namespace {
 
 using autopilot::MultirotorControl;
@@ -128,4 +128,4 @@ TEST(MultirotorFlight, FourRotorsFlyOnSpinningWithOneStanding) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::rotor_flight_test

@@ -8,7 +8,7 @@
 #include "skein/assemble/radio/radio_parts.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::routine_periods_test {
 namespace {
 
 scenario::Scenario scenario_with(const std::string& radio, int aircraft,
@@ -50,4 +50,4 @@ TEST(RoutinePeriods, GrowWithTheAircraftOfANarrowRadio) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::routine_periods_test

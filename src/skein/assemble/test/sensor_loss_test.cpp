@@ -10,7 +10,7 @@
 #include "skein/assemble/test/whole_flight.h"
 #include "skein/base/random.h"
 
-namespace skein::assemble {
+namespace skein::assemble::sensor_loss_test {
 namespace {
 
 struct Case {
@@ -161,4 +161,4 @@ TEST(SensorLoss, IsNoLossWhereASpareIsFitted) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::sensor_loss_test

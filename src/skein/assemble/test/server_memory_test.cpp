@@ -5,7 +5,7 @@
 #include "skein/assemble/kind_registry.h"
 #include "skein/scenario/kind_table.h"
 
-namespace skein::assemble {
+namespace skein::assemble::server_memory_test {
 namespace {
 
 EntityReality reality(const std::string& vehicle, std::optional<bool> physical,
@@ -55,4 +55,4 @@ TEST(PhysicalBody, IsTypicalOfItsClassUnlessItIsSaid) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::server_memory_test

@@ -10,7 +10,7 @@
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 #include "skein/model/connection/connection.h"
 
-namespace skein::assemble {
+namespace skein::assemble::task_walk_test {
 namespace {
 
 using reasoning::FlightContext;
@@ -252,4 +252,4 @@ TEST(TaskWalk, HasAlwaysSomethingToFlyAndAWayOut) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::task_walk_test

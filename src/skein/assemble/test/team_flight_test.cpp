@@ -8,7 +8,7 @@
 
 #include "skein/assemble/test/whole_flight.h"
 
-namespace skein::assemble {
+namespace skein::assemble::team_flight_test {
 namespace {
 
 std::string shipped_team() {
@@ -193,4 +193,4 @@ TEST(TeamFlight, WhereNothingNeedsApprovalADecisionIsRefused) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::team_flight_test

@@ -10,7 +10,7 @@
 #include "skein/assemble/test/whole_flight.h"
 #include "skein/exchange/well_clear_json.h"
 
-namespace skein::assemble {
+namespace skein::assemble::traffic_flight_test {
 namespace {
 
 // Entity 1 has the sensor, entity 2 belongs to its team and sends all there is to send.
@@ -211,4 +211,4 @@ TEST(TrafficFlight, IsTheSameWithAnyThreads) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::traffic_flight_test

@@ -9,7 +9,7 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::tuning_gains_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,4 +136,4 @@ TEST(LapGains, AreForFixedWingsOnly) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::tuning_gains_test

@@ -13,7 +13,7 @@
 #include "skein/role/wind_field.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::vehicle_contract_test {
 namespace {
 
 struct Flown {
@@ -55,4 +55,4 @@ TEST(SimulatedVehicle, KeepsTheContractOfItsRole) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::vehicle_contract_test

@@ -7,7 +7,7 @@
 
 #include "skein/role/sensor.h"
 
-namespace skein::assemble {
+namespace skein::assemble::verify_kinds_test {
 namespace {
 
 TEST(EveryKind, KeepsTheContractOfItsRole) {
@@ -60,4 +60,4 @@ TEST(KindsOfAPlugin, AreTestedAlone) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::verify_kinds_test

@@ -9,7 +9,7 @@
 #include "skein/assemble/test/whole_flight.h"
 #include "skein/data/zone.h"
 
-namespace skein::assemble {
+namespace skein::assemble::zone_flight_test {
 namespace {
 
 // From the origin to the north and back, at 100 m above the ground at sea level.
@@ -286,4 +286,4 @@ aircraft:
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::zone_flight_test

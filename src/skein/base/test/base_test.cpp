@@ -14,7 +14,7 @@
 #include "skein/base/shown_text.h"
 #include "skein/base/time.h"
 
-namespace skein {
+namespace skein::base_test {
 namespace {
 
 TEST(Time, AddsStepsWithoutDrift) {
@@ -183,4 +183,4 @@ TEST(Shown, LeavesNothingThatSteersInAnyBytes) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::base_test

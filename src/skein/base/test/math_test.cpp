@@ -9,7 +9,7 @@
 #include "skein/base/hash.h"
 #include "skein/base/random.h"
 
-namespace skein {
+namespace skein::math_test {
 namespace {
 
 using Function = double (*)(double);
@@ -100,4 +100,4 @@ TEST(Math, GivesTheSameBitsEverywhere) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::math_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein {
+namespace skein::outages_test {
 namespace {
 
 Time ms(std::int64_t milliseconds) {
@@ -39,4 +39,4 @@ TEST(Outages, TheirTimesDoNotDependOnWhenTheyAreAskedFor) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::outages_test

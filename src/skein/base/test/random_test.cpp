@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace skein {
+namespace skein::random_test {
 namespace {
 
 constexpr int kCount = 1 << 20;
@@ -115,4 +115,4 @@ TEST(FastNormals, LeaveTheRestOfAStartedBlockAlone) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::random_test

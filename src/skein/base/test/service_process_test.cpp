@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace skein {
+namespace skein::service_process_test {
 namespace {
 
 // Gives back what it is asked; some words do harm.
@@ -89,4 +89,4 @@ TEST(ServiceProcess, ServesThreadsThatHaveOneEach) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::service_process_test

@@ -7,7 +7,7 @@
 
 #include "skein/campaign/avoidance_watch.h"
 
-namespace skein::campaign {
+namespace skein::campaign::avoidance_cases_test {
 namespace {
 
 constexpr const char* kTeamHeader =
@@ -116,4 +116,4 @@ TEST(AvoidanceWatch, CountsStrangersToo) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::avoidance_cases_test

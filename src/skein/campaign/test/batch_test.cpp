@@ -7,7 +7,7 @@
 
 #include "skein/base/check.h"
 
-namespace skein::campaign {
+namespace skein::campaign::batch_test {
 namespace {
 
 class BatchTest : public testing::Test {
@@ -127,4 +127,4 @@ TEST(MeanInterval, MatchesStudentsT) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::batch_test

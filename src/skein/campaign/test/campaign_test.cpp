@@ -7,7 +7,7 @@
 
 #include "skein/scenario/kind_table.h"
 
-namespace skein::campaign {
+namespace skein::campaign::campaign_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ TEST(CampaignReport, HasARowForEachCombinationWithItsWorstRun) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::campaign_test

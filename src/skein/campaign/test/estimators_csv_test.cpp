@@ -8,7 +8,7 @@
 #include <map>
 #include <sstream>
 
-namespace skein::campaign {
+namespace skein::campaign::estimators_csv_test {
 namespace {
 
 using Row = std::map<std::string, std::string>;
@@ -220,4 +220,4 @@ TEST(EstimatorsCsv, RefusesUpdatesThatMeanNothing) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::estimators_csv_test

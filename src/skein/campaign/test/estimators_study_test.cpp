@@ -9,7 +9,7 @@
 #include "skein/base/check.h"
 #include "skein/campaign/estimators_report.h"
 
-namespace skein::campaign {
+namespace skein::campaign::estimators_study_test {
 namespace {
 
 const CurveTable& table(const std::vector<CurveTable>& tables, const std::string& name) {
@@ -151,4 +151,4 @@ TEST(EstimatorsStudy, RefusesOptionsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::estimators_study_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::campaign {
+namespace skein::campaign::following_study_test {
 namespace {
 
 TEST(FollowingStudy, CountsTheDistanceOfASampleAfterTheRunIn) {
@@ -51,4 +51,4 @@ TEST(FollowingStudy, ComparesTheMeansOfBothKindsOfPlans) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::following_study_test

@@ -4,7 +4,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::campaign {
+namespace skein::campaign::keeping_watch_test {
 namespace {
 
 constexpr EntityId kAircraft{1};
@@ -71,4 +71,4 @@ TEST(KeepingWatch, DistinguishesTurnsFromStraightsAndWatchesAHover) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::keeping_watch_test

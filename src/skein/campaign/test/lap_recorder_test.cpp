@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace skein::campaign {
+namespace skein::campaign::lap_recorder_test {
 namespace {
 
 constexpr EntityId kWing{3};
@@ -86,4 +86,4 @@ TEST(LapRecorder, TakesTheFirstAircraftAndOnlyWhatFollowsTheRoute) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::lap_recorder_test

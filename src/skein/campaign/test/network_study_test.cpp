@@ -9,7 +9,7 @@
 #include "skein/campaign/network_reference.h"
 #include "skein/campaign/network_report.h"
 
-namespace skein::campaign {
+namespace skein::campaign::network_study_test {
 namespace {
 
 namespace figure = network_figure;
@@ -143,4 +143,4 @@ TEST(NetworkReference, IsKnownWhereItWasMeasured) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::network_study_test

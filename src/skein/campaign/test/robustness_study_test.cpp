@@ -6,7 +6,7 @@
 
 #include "skein/geo/rotation.h"
 
-namespace skein::campaign {
+namespace skein::campaign::robustness_study_test {
 namespace {
 
 constexpr EntityId kAircraft{1};
@@ -103,4 +103,4 @@ TEST(FlightWatch, AnAccidentIsALoss) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::robustness_study_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace skein::campaign {
+namespace skein::campaign::simplex_search_test {
 namespace {
 
 using Point = std::vector<double>;
@@ -70,4 +70,4 @@ TEST(SimplexSearch, EndsWhenNoCostIsGiven) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::simplex_search_test

@@ -4,7 +4,7 @@
 
 #include "skein/geo/rotation.h"
 
-namespace skein::campaign {
+namespace skein::campaign::start_watch_test {
 namespace {
 
 constexpr EntityId kAircraft{1};
@@ -90,4 +90,4 @@ TEST(StartWatch, TiltFailsafesAndAccidentsAreLosses) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::start_watch_test

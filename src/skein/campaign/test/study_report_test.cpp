@@ -7,7 +7,7 @@
 #include "skein/campaign/data_fingerprint.h"
 #include "skein/campaign/monitoring_report.h"
 
-namespace skein::campaign {
+namespace skein::campaign::study_report_test {
 namespace {
 
 BatchOutcome outcome(double perf) {
@@ -116,4 +116,4 @@ TEST(DataFingerprint, ChangesWithTheContentOnly) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::study_report_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::campaign {
+namespace skein::campaign::study_summary_test {
 namespace {
 
 BatchOutcome outcome(double perf, double wall) {
@@ -49,4 +49,4 @@ TEST(StudySummary, ComparesEveryRuleOfTheEstimatorsStudy) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::study_summary_test

@@ -6,7 +6,7 @@
 
 #include "skein/campaign/tuning_report.h"
 
-namespace skein::campaign {
+namespace skein::campaign::tuning_study_test {
 namespace {
 
 record::RunSummary flight(std::initializer_list<double> cross_track, int laps) {
@@ -152,4 +152,4 @@ TEST(TuningStudy, DrawsEachLapOrEachFlight) {
 }
 
 }  // namespace
-}  // namespace skein::campaign
+}  // namespace skein::campaign::tuning_study_test

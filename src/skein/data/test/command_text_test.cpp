@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein {
+namespace skein::command_text_test {
 namespace {
 
 template <class T>
@@ -147,4 +147,4 @@ TEST(CommandText, RefusesJsonThatIsNoCommandOrOutOfRange) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::command_text_test

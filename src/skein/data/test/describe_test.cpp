@@ -7,7 +7,7 @@
 #include "skein/data/columns.h"
 #include "skein/data/record.h"
 
-namespace skein {
+namespace skein::describe_test {
 namespace {
 
 using namespace type_traits;  // NOLINT: the traits are ours
@@ -296,4 +296,4 @@ TEST(Columns, NamesAreUniqueAndSayTheirUnit) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::describe_test

@@ -6,7 +6,7 @@
 
 #include "skein/data/wire.h"
 
-namespace skein {
+namespace skein::fire_report_test {
 namespace {
 
 TEST(FireReport, KeepsPlacesToTheDecimetreAndTimesToTheMillisecond) {
@@ -47,4 +47,4 @@ TEST(FireReport, TakesAnyNumbers) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::fire_report_test

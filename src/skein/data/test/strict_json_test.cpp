@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::strict_json {
+namespace skein::strict_json::strict_json_test {
 namespace {
 
 TEST(StrictJson, ReadsWhatIsWithinBounds) {
@@ -57,4 +57,4 @@ TEST(StrictJson, CountsWhatItDoesNotShow) {
 }
 
 }  // namespace
-}  // namespace skein::strict_json
+}  // namespace skein::strict_json::strict_json_test

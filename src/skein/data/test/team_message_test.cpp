@@ -5,7 +5,7 @@
 #include "skein/data/json.h"
 #include "skein/data/wire.h"
 
-namespace skein {
+namespace skein::team_message_test {
 namespace {
 
 TEST(TeamMessage, HasTheBytesOfTheTable) {
@@ -65,4 +65,4 @@ TEST(TeamMessage, IsReadFromTheJsonThatItIsWrittenAs) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::team_message_test

@@ -7,7 +7,7 @@
 #include "skein/data/entity_report.h"
 #include "skein/data/message.h"
 
-namespace skein::walk {
+namespace skein::walk::walk_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -71,4 +71,4 @@ TEST(SoundNumbers, AreNumbersAndFiniteVectors) {
 }
 
 }  // namespace
-}  // namespace skein::walk
+}  // namespace skein::walk::walk_test

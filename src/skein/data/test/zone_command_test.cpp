@@ -7,7 +7,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein {
+namespace skein::zone_command_test {
 namespace {
 
 ZoneChange good(std::string_view line) {
@@ -104,4 +104,4 @@ TEST(ZoneCommand, TakesUpNothingThatCannotBeUsed) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::zone_command_test

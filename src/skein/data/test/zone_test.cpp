@@ -9,7 +9,7 @@
 #include "skein/base/random.h"
 #include "skein/data/zone_set.h"
 
-namespace skein {
+namespace skein::zone_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -151,4 +151,4 @@ TEST(ZoneSet, ReceivedInAnyOrderAndTwiceTheZonesAreTheSame) {
 }
 
 }  // namespace
-}  // namespace skein
+}  // namespace skein::zone_test

@@ -11,7 +11,7 @@
 #include "skein/model/connection/connection.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::exchange {
+namespace skein::exchange::connection_batch_test {
 namespace {
 
 constexpr const char* kHeader = "x0,y0,psi0,x1,y1,psi1,airspeed,turn_radius,wx,wy\n";
@@ -238,4 +238,4 @@ TEST(ConnectionBatch, ExtremeNumbersAreAnswered) {
 }
 
 }  // namespace
-}  // namespace skein::exchange
+}  // namespace skein::exchange::connection_batch_test

@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-namespace skein::exchange {
+namespace skein::exchange::detection_tables_test {
 namespace {
 
 std::string reference_file(const std::string& name) {
@@ -67,4 +67,4 @@ TEST(DetectionTables, TimelinesAreThoseOfTheReferenceDataLineByLine) {
 }
 
 }  // namespace
-}  // namespace skein::exchange
+}  // namespace skein::exchange::detection_tables_test

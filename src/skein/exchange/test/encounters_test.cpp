@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::exchange {
+namespace skein::exchange::encounters_test {
 namespace {
 
 constexpr const char* kColumns =
@@ -71,4 +71,4 @@ TEST(Encounters, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace skein::exchange
+}  // namespace skein::exchange::encounters_test

@@ -9,7 +9,7 @@
 
 #include "skein/exchange/map_features.h"
 
-namespace skein::exchange {
+namespace skein::exchange::gis_writing_test {
 namespace {
 
 class GisWriting : public testing::Test {
@@ -93,4 +93,4 @@ TEST_F(GisWriting, ReplacesAFileWholeAndRefusesOtherEndings) {
 }
 
 }  // namespace
-}  // namespace skein::exchange
+}  // namespace skein::exchange::gis_writing_test

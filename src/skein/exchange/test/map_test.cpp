@@ -8,7 +8,7 @@
 #include "skein/exchange/writers.h"
 #include "skein/exchange/zones.h"
 
-namespace skein::exchange {
+namespace skein::exchange::map_test {
 namespace {
 
 // A text as a file in memory, for the test's life.
@@ -292,4 +292,4 @@ TEST(Map, AMissingFileIsNotThere) {
 }
 
 }  // namespace
-}  // namespace skein::exchange
+}  // namespace skein::exchange::map_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::exchange {
+namespace skein::exchange::network_results_test {
 namespace {
 
 NetworkMessage unicast(double sent, std::optional<double> delivered, MessageFate fate) {
@@ -95,4 +95,4 @@ TEST(NetworkResults, SayWhatIsTooLong) {
 }
 
 }  // namespace
-}  // namespace skein::exchange
+}  // namespace skein::exchange::network_results_test

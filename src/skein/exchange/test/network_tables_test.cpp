@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::exchange {
+namespace skein::exchange::network_tables_test {
 namespace {
 
 std::string refusal_of_nodes(const std::string& text) {
@@ -171,4 +171,4 @@ TEST(NetworkTables, Ns2NodesJumpWhereTheirPlaceIsSetLater) {
 }
 
 }  // namespace
-}  // namespace skein::exchange
+}  // namespace skein::exchange::network_tables_test

@@ -7,7 +7,7 @@
 #include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::exchange {
+namespace skein::exchange::plan_reading_test {
 namespace {
 
 const geo::LocalFrame& frame() {
@@ -82,4 +82,4 @@ TEST(PlanReading, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace skein::exchange
+}  // namespace skein::exchange::plan_reading_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace skein::exchange {
+namespace skein::exchange::traffic_log_test {
 namespace {
 
 const geo::LocalFrame& frame() {
@@ -102,4 +102,4 @@ TEST(TrafficLog, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace skein::exchange
+}  // namespace skein::exchange::traffic_log_test

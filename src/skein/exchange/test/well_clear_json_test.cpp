@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace skein::exchange {
+namespace skein::exchange::well_clear_json_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -145,4 +145,4 @@ TEST(WellClearJson, NamesValuesThatAreImpossible) {
 }
 
 }  // namespace
-}  // namespace skein::exchange
+}  // namespace skein::exchange::well_clear_json_test

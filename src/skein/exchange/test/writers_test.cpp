@@ -15,7 +15,7 @@
 #include "skein/exchange/text_shown.h"
 #include "skein/model/connection/connection.h"
 
-namespace skein::exchange {
+namespace skein::exchange::writers_test {
 namespace {
 
 Document example() {
@@ -359,4 +359,4 @@ TEST(Text, ShowsTimesAndLengths) {
 }
 
 }  // namespace
-}  // namespace skein::exchange
+}  // namespace skein::exchange::writers_test

@@ -8,7 +8,7 @@
 #include "skein/base/random.h"
 #include "skein/geo/clip.h"
 
-namespace skein::geo {
+namespace skein::geo::contour_test {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -121,4 +121,4 @@ TEST(Contour, OfNoiseSeparatesEveryNodeAndIsAlreadyClean) {
 }
 
 }  // namespace
-}  // namespace skein::geo
+}  // namespace skein::geo::contour_test

@@ -9,7 +9,7 @@
 #include "skein/geo/self_crossing.h"
 #include "skein/geo/vec.h"
 
-namespace skein::geo {
+namespace skein::geo::geo_test {
 namespace {
 
 Ring circle(const Vec2& centre, double radius, int count) {
@@ -196,4 +196,4 @@ TEST(Clip, GrownRegionsKeepTheDistanceAndLittleMore) {
 }
 
 }  // namespace
-}  // namespace skein::geo
+}  // namespace skein::geo::geo_test

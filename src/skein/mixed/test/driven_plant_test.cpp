@@ -8,7 +8,7 @@
 
 #include "skein/mixed/recorded_drive.h"
 
-namespace skein::mixed {
+namespace skein::mixed::driven_plant_test {
 namespace {
 
 constexpr double kHardFall = 3;  // [m/s]
@@ -278,4 +278,4 @@ TEST(RecordedDrive, TakesNothingFromRecordsThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::driven_plant_test

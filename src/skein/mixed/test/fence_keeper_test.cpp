@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace skein::mixed {
+namespace skein::mixed::fence_keeper_test {
 namespace {
 
 using Outcome = RequestAnswer::Outcome;
@@ -146,4 +146,4 @@ TEST(FenceKeeper, PassesOverAnswersToOthers) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::fence_keeper_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace skein::mixed {
+namespace skein::mixed::flight_director_test {
 namespace {
 
 using Outcome = RequestAnswer::Outcome;
@@ -196,4 +196,4 @@ TEST(FlightDirector, LandsAndDisarms) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::flight_director_test

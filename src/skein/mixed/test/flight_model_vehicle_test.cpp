@@ -6,7 +6,7 @@
 
 #include "skein/mixed/recorded_flight_model.h"
 
-namespace skein::mixed {
+namespace skein::mixed::flight_model_vehicle_test {
 namespace {
 
 // A model whose reports and controls are the test's.
@@ -231,4 +231,4 @@ TEST(FlightModelVehicle, WhatWasSaidMakesTheSameFlightAgain) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::flight_model_vehicle_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::mixed {
+namespace skein::mixed::motion_predictor_test {
 namespace {
 
 Time at_s(double seconds) {
@@ -53,4 +53,4 @@ TEST(MotionPredictor, TakesNoAccelerationFromAJumpOrOverAGap) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::motion_predictor_test

@@ -5,7 +5,7 @@
 #include "skein/base/math.h"
 #include "skein/data/air.h"
 
-namespace skein::mixed {
+namespace skein::mixed::motion_tracker_test {
 namespace {
 
 Time s(double seconds) {
@@ -66,4 +66,4 @@ TEST(MotionTracker, PassesOverWhatComesLate) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::motion_tracker_test

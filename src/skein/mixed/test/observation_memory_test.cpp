@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace skein::mixed {
+namespace skein::mixed::observation_memory_test {
 namespace {
 
 Time at_s(double seconds) {
@@ -154,4 +154,4 @@ TEST(ObservationMemory, TheTemporalModelSaysOnceThatItIsGoneAndKeepsIt) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::observation_memory_test

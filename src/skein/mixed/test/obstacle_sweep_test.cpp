@@ -8,7 +8,7 @@
 #include "skein/base/math.h"
 #include "skein/base/random.h"
 
-namespace skein::mixed {
+namespace skein::mixed::obstacle_sweep_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -140,4 +140,4 @@ TEST(ObstacleSweep, InsideSomethingEverythingIsNear) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::obstacle_sweep_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::mixed {
+namespace skein::mixed::passage_log_test {
 namespace {
 
 Time second(double seconds) {
@@ -84,4 +84,4 @@ TEST(PassageLog, HoldsABoundedNumberOfPoints) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::passage_log_test

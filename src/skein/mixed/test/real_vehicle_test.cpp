@@ -8,7 +8,7 @@
 
 #include "skein/base/math.h"
 
-namespace skein::mixed {
+namespace skein::mixed::real_vehicle_test {
 namespace {
 
 // A far end whose reports and requests are the test's.
@@ -270,4 +270,4 @@ TEST(RealVehicle, IsGivenThePositionOfAnotherBeforeItKnowsItsOwn) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::real_vehicle_test

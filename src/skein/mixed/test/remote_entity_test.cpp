@@ -6,7 +6,7 @@
 
 #include "skein/geo/polygon.h"
 
-namespace skein::mixed {
+namespace skein::mixed::remote_entity_test {
 namespace {
 
 struct Flat final : Terrain {
@@ -238,4 +238,4 @@ TEST(RemoteEntity, IsReachedByItsModemWhileThatHearsIt) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::remote_entity_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::mixed {
+namespace skein::mixed::server_memory_test {
 namespace {
 
 constexpr EntityId kReal{1}, kMixed{2}, kPure{3};
@@ -192,4 +192,4 @@ TEST_F(ServerMemoryTest, WhatMovesSaysNothingAboutTheTimeBefore) {
 }
 
 }  // namespace
-}  // namespace skein::mixed
+}  // namespace skein::mixed::server_memory_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::record {
+namespace skein::record::alert_statistics_test {
 namespace {
 
 AlertRecord alert(double time, std::uint32_t track, std::uint32_t level,
@@ -74,4 +74,4 @@ TEST(AlertStatistics, TakesTheLastPathThatWasFollowedBeforeTheConflict) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::alert_statistics_test

@@ -4,7 +4,7 @@
 
 #include "skein/record/separation_statistics.h"
 
-namespace skein::record {
+namespace skein::record::flight_statistics_test {
 namespace {
 
 VehicleState at(double north, double height, bool on_ground = false) {
@@ -62,4 +62,4 @@ TEST(SeparationStatistics, WhoIsOnTheGroundIsNotToBeKeptApartFrom) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::flight_statistics_test

@@ -4,7 +4,7 @@
 
 #include "skein/record/test/sample_run.h"
 
-namespace skein::record {
+namespace skein::record::forecast_statistics_test {
 namespace {
 
 const EntityId kStation{0};
@@ -112,4 +112,4 @@ TEST(ArrivalFigures, ScoreTheDistributionAgainstWhenTheFireCame) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::forecast_statistics_test

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace skein::record {
+namespace skein::record::message_load_test {
 namespace {
 
 SentMessages two_and_a_station() {
@@ -83,4 +83,4 @@ TEST(MessageLoad, RefusesPhasesOutOfOrder) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::message_load_test

@@ -8,7 +8,7 @@
 #include "sample_run.h"
 #include "skein/record/reading_ages.h"
 
-namespace skein::record {
+namespace skein::record::metrics_test {
 namespace {
 
 const Vec2 kCentre(100, -50);
@@ -145,4 +145,4 @@ TEST(ReadingAges, TakeLateCrossingsInAnyOrder) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::metrics_test

@@ -6,7 +6,7 @@
 
 #include "skein/geo/rotation.h"
 
-namespace skein::record {
+namespace skein::record::mission_statistics_test {
 namespace {
 
 const EntityId kStation{0}, kAircraft{1};
@@ -264,4 +264,4 @@ TEST(FormationFigures, DoNotCountAFollowerThatHasNotArrived) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::mission_statistics_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::record {
+namespace skein::record::radio_statistics_test {
 namespace {
 
 std::map<std::string, double> figures_of(const RadioStatistics& statistics) {
@@ -43,4 +43,4 @@ TEST(RadioStatistics, LoadsCountByTheTimeThatTheyCover) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::radio_statistics_test

@@ -14,7 +14,7 @@
 #include "skein/record/run_recorder.h"
 #include "skein/record/sqlite.h"
 
-namespace skein::record {
+namespace skein::record::recorder_fault_test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -173,4 +173,4 @@ TEST(RunRecorderFaults, AKilledFastRunIsReadableUpToItsLastSecond) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::recorder_fault_test

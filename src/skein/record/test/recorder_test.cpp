@@ -10,7 +10,7 @@
 #include "skein/record/sqlite.h"
 #include "skein/record/summary_recorder.h"
 
-namespace skein::record {
+namespace skein::record::recorder_test {
 namespace {
 
 const RunInfo kInfo{"1.2.3", 18446744073709551615u, "sample", "seed: 1\n", ""};
@@ -310,4 +310,4 @@ TEST(RunRecorder, KeepsZonesAndWhenTheyCameAndWent) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::recorder_test

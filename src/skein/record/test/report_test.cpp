@@ -18,7 +18,7 @@
 #include "skein/record/sqlite.h"
 #include "skein/record/study_report.h"
 
-namespace skein::record {
+namespace skein::record::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -497,4 +497,4 @@ TEST(Base64, EncodesEveryLength) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::report_test

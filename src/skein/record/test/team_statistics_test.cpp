@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::record {
+namespace skein::record::team_statistics_test {
 namespace {
 
 TEST(TeamStatistics, CountsAllocationsOnlyWhereTheyWait) {
@@ -28,4 +28,4 @@ TEST(TeamStatistics, CountsAllocationsOnlyWhereTheyWait) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::team_statistics_test

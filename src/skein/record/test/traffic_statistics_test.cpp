@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::record {
+namespace skein::record::traffic_statistics_test {
 namespace {
 
 TrafficBeliefRecord belief(double time, const Vec3& p_N, std::uint32_t track = 1) {
@@ -82,4 +82,4 @@ TEST(TrafficStatistics, KnowWhoIsNotThereAndSayNothingOfNothing) {
 }
 
 }  // namespace
-}  // namespace skein::record
+}  // namespace skein::record::traffic_statistics_test

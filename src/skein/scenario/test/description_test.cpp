@@ -9,7 +9,7 @@
 #include "skein/scenario/units.h"
 #include "skein/scenario/utc.h"
 
-namespace skein::scenario::test {
+namespace skein::scenario::test::description_test {
 namespace {
 
 TEST(Description, HasValidDefaults) {
@@ -142,4 +142,4 @@ TEST(Utc, KnowsTheCalendar) {
 }
 
 }  // namespace
-}  // namespace skein::scenario::test
+}  // namespace skein::scenario::test::description_test

@@ -2,7 +2,7 @@
 
 #include "skein/scenario/test/reading.h"
 
-namespace skein::scenario::test {
+namespace skein::scenario::test::memory_keys_test {
 namespace {
 
 TEST(MemoryKeys, AreRead) {
@@ -42,4 +42,4 @@ TEST(MemoryKeys, ThatContradictEachOtherAreRefused) {
 }
 
 }  // namespace
-}  // namespace skein::scenario::test
+}  // namespace skein::scenario::test::memory_keys_test

@@ -3,7 +3,7 @@
 #include "skein/scenario/test/fake_kinds.h"
 #include "skein/scenario/test/reading.h"
 
-namespace skein::scenario::test {
+namespace skein::scenario::test::override_test {
 namespace {
 
 TEST(Override, ReplacesWhatTheFileSays) {
@@ -101,4 +101,4 @@ TEST(Override, ReportsWhatIsNoOverride) {
 }
 
 }  // namespace
-}  // namespace skein::scenario::test
+}  // namespace skein::scenario::test::override_test

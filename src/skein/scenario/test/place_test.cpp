@@ -3,7 +3,7 @@
 #include "skein/scenario/scenario_file.h"
 #include "skein/scenario/test/fake_kinds.h"
 
-namespace skein::scenario {
+namespace skein::scenario::place_test {
 namespace {
 
 // Knows a point, a line and an area, wherever they are asked for.
@@ -116,4 +116,4 @@ TEST(Places, VelocitiesAreNone) {
 }
 
 }  // namespace
-}  // namespace skein::scenario
+}  // namespace skein::scenario::place_test

@@ -8,7 +8,7 @@
 #include "skein/scenario/test/fake_kinds.h"
 #include "skein/scenario/test/reading.h"
 
-namespace skein::scenario::test {
+namespace skein::scenario::test::read_test {
 namespace {
 
 const FakeOptions& radio_of(const Scenario& scenario) {
@@ -392,4 +392,4 @@ TEST(ReadFile, FindsFilesBesideTheScenario) {
 }
 
 }  // namespace
-}  // namespace skein::scenario::test
+}  // namespace skein::scenario::test::read_test

@@ -9,7 +9,7 @@
 #include "skein/scenario/test/fake_kinds.h"
 #include "skein/scenario/test/reading.h"
 
-namespace skein::scenario::test {
+namespace skein::scenario::test::write_test {
 namespace {
 
 // Writing is one-to-one on everything that reading gives: numbers are written with the
@@ -143,4 +143,4 @@ TEST(Numbers, TakesOnlyWholeDecimalNumbers) {
 }
 
 }  // namespace
-}  // namespace skein::scenario::test
+}  // namespace skein::scenario::test::write_test

@@ -6,7 +6,7 @@
 #include "skein/scenario/test/reading.h"
 #include "skein/scenario/write.h"
 
-namespace skein::scenario {
+namespace skein::scenario::zones_test {
 namespace {
 
 using test::problems_of;
@@ -99,4 +99,4 @@ TEST(Zones, ThatRunCounterClockwiseGiveAWarningAndAreNotRefused) {
 }
 
 }  // namespace
-}  // namespace skein::scenario
+}  // namespace skein::scenario::zones_test

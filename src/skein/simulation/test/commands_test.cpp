@@ -7,7 +7,7 @@
 
 #include "skein/simulation/test/gliders.h"
 
-namespace skein::simulation {
+namespace skein::simulation::commands_test {
 namespace {
 
 using namespace test;
@@ -130,4 +130,4 @@ TEST(Run, CommandsOfARecordedRunGiveTheSameRecordsAgain) {
 }
 
 }  // namespace
-}  // namespace skein::simulation
+}  // namespace skein::simulation::commands_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace skein::simulation {
+namespace skein::simulation::flight_ahead_test {
 namespace {
 
 NavEstimate at(double north, double east, double speed) {
@@ -141,4 +141,4 @@ TEST(FlightAhead, IsBoundedHoweverLongAFlightIs) {
 }
 
 }  // namespace
-}  // namespace skein::simulation
+}  // namespace skein::simulation::flight_ahead_test

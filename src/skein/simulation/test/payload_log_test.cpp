@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::simulation {
+namespace skein::simulation::payload_log_test {
 namespace {
 
 // 100 m north at 2 s, flying east at 20 m/s, known to 3 m.
@@ -66,4 +66,4 @@ TEST(PayloadLog, BeamsOfOneTimeAreOneScan) {
 }
 
 }  // namespace
-}  // namespace skein::simulation
+}  // namespace skein::simulation::payload_log_test

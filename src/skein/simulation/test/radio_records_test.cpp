@@ -8,7 +8,7 @@
 #include "skein/simulation/run.h"
 #include "skein/simulation/test/gliders.h"
 
-namespace skein::simulation {
+namespace skein::simulation::radio_records_test {
 namespace {
 
 using namespace test;
@@ -101,4 +101,4 @@ TEST_F(RadioOfARun, IsRecordedAfterEachPeriodAndInTheEnd) {
 }
 
 }  // namespace
-}  // namespace skein::simulation
+}  // namespace skein::simulation::radio_records_test

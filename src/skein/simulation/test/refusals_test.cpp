@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::simulation {
+namespace skein::simulation::refusals_test {
 namespace {
 
 TEST(Refusals, AreReportedAtOnceThenOnceAMinuteWithTheirNumber) {
@@ -25,4 +25,4 @@ TEST(Refusals, OtherReasonsAreReportedBesides) {
 }
 
 }  // namespace
-}  // namespace skein::simulation
+}  // namespace skein::simulation::refusals_test

@@ -8,7 +8,7 @@
 
 #include "skein/simulation/test/gliders.h"
 
-namespace skein::simulation {
+namespace skein::simulation::run_test {
 namespace {
 
 using namespace test;
@@ -208,4 +208,4 @@ TEST(Run, KeepsPaceWithTheClock) {
 }
 
 }  // namespace
-}  // namespace skein::simulation
+}  // namespace skein::simulation::run_test

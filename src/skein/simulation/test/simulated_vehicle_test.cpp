@@ -8,7 +8,7 @@
 
 #include "skein/simulation/test/gliders.h"
 
-namespace skein::simulation {
+namespace skein::simulation::simulated_vehicle_test {
 namespace {
 
 using namespace test;
@@ -174,4 +174,4 @@ TEST(Run, AMotionThatIsNoLongerFiniteEndsThatAircraftOnly) {
 }
 
 }  // namespace
-}  // namespace skein::simulation
+}  // namespace skein::simulation::simulated_vehicle_test

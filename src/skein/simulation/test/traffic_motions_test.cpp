@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace skein::simulation {
+namespace skein::simulation::traffic_motions_test {
 namespace {
 
 Time s(double seconds) {
@@ -76,4 +76,4 @@ TEST(TrafficMotions, ShowAndRecordThoseThatAreThere) {
 }
 
 }  // namespace
-}  // namespace skein::simulation
+}  // namespace skein::simulation::traffic_motions_test

@@ -14,7 +14,7 @@
 #include "skein/scenario/kind_table.h"
 #include "skein/scenario/schema.h"
 
-namespace skein::assemble {
+namespace skein::assemble::aircraft_file_test {
 namespace {
 
 AircraftFile good(const std::string& name) {
@@ -265,4 +265,4 @@ TEST(AircraftFileReader, ReportsAllProblemsAtOnce) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::aircraft_file_test

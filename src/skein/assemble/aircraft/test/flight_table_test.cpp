@@ -8,7 +8,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::assemble {
+namespace skein::assemble::flight_table_test {
 namespace {
 
 constexpr const char* kHeader =
@@ -164,4 +164,4 @@ INSTANTIATE_TEST_SUITE_P(
              "in.csv:3: a line of more than 1048575 bytes."}));
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::flight_table_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace skein::assemble {
+namespace skein::assemble::mixed_network_test {
 namespace {
 
 using Arrivals = std::vector<MixedNetwork::Arrival>;
@@ -85,4 +85,4 @@ TEST(MixedNetwork, FailsWhereRealOnesDoNotMeetAndWhenItIsStopped) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::mixed_network_test

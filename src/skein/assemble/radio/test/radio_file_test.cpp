@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace skein::assemble {
+namespace skein::assemble::radio_file_test {
 namespace {
 
 const RadioParts& parts() {
@@ -231,4 +231,4 @@ TEST(RadioFile, SaysWhatIsWrongWithAntennas) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::radio_file_test

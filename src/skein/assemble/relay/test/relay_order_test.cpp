@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace skein::assemble {
+namespace skein::assemble::relay_order_test {
 namespace {
 
 using impairment::Directions;
@@ -56,4 +56,4 @@ TEST(RelayOrder, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::relay_order_test

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace skein::assemble {
+namespace skein::assemble::relay_profile_test {
 namespace {
 
 using impairment::Direction;
@@ -89,4 +89,4 @@ TEST(RelayProfile, NamesWhatAStreamCannotSuffer) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::relay_profile_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace skein::assemble {
+namespace skein::assemble::fire_files_test {
 namespace {
 
 class FireFiles : public testing::Test {
@@ -92,4 +92,4 @@ TEST_F(FireFiles, OfNothingAreNone) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::fire_files_test

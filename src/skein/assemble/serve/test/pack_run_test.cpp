@@ -14,7 +14,7 @@
 #include "skein/record/run_recorder.h"
 #include "skein/record/test/sample_run.h"
 
-namespace skein::assemble {
+namespace skein::assemble::pack_run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -220,4 +220,4 @@ TEST(PackRun, StaysSmallHoweverLongARunIs) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::pack_run_test

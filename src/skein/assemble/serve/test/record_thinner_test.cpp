@@ -5,7 +5,7 @@
 #include "skein/assemble/serve/map_record.h"
 #include "skein/data/wire.h"
 
-namespace skein::assemble {
+namespace skein::assemble::record_thinner_test {
 namespace {
 
 FireReading reading(double time, std::uint32_t aircraft) {
@@ -114,4 +114,4 @@ TEST(MapRecord, LeavesOutWhatNoMapShows) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::record_thinner_test

@@ -24,7 +24,7 @@
 #include "skein/record/run_recorder.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::run_page_test {
 namespace {
 
 using hmi::LiveClient;
@@ -362,4 +362,4 @@ TEST(TaskForms, FilledInWithDefaultsMakeCommands) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::run_page_test

@@ -9,7 +9,7 @@
 #include "skein/assemble/kinds_of.h"
 #include "skein/scenario/scenario_file.h"
 
-namespace skein::assemble {
+namespace skein::assemble::task_preview_test {
 namespace {
 
 // Lit, guarded, among others, and lost soon: none of it matters for a task flown ahead.
@@ -155,4 +155,4 @@ TEST_F(TaskPreviewTest, TheNewestQuestionOfEachIsAnswered) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::task_preview_test

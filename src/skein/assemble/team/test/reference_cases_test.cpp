@@ -11,7 +11,7 @@
 #include "skein/assemble/team/team_answers.h"
 #include "skein/assemble/team/team_cases.h"
 
-namespace skein::assemble {
+namespace skein::assemble::reference_cases_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -125,4 +125,4 @@ TEST_F(ReferenceCases, ToursReachTheBestKnown) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::reference_cases_test

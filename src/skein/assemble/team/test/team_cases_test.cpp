@@ -4,7 +4,7 @@
 
 #include "skein/assemble/team/team_answers.h"
 
-namespace skein::assemble {
+namespace skein::assemble::team_cases_test {
 namespace {
 
 const char* const kAircraft =
@@ -167,4 +167,4 @@ TEST(TourCases, SayWhereAndWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace skein::assemble
+}  // namespace skein::assemble::team_cases_test

@@ -8,7 +8,7 @@
 
 // Take-off and landing of whole aircraft: what flight and ground make together.
 
-namespace skein::asset {
+namespace skein::asset::ground_run_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -197,4 +197,4 @@ TEST(GroundRun, FlyingIntoTheGroundBreaksIt) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::ground_run_test

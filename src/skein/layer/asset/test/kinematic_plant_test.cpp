@@ -7,7 +7,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::asset {
+namespace skein::asset::kinematic_plant_test {
 namespace {
 
 // Of the default options: a turn of 60 m at 20 m/s.
@@ -188,4 +188,4 @@ TEST(KinematicPlant, GlidesWithoutMotorOrBattery) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::kinematic_plant_test

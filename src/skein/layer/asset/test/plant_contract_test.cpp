@@ -13,7 +13,7 @@
 
 // What every plant owes to whoever flies it.
 
-namespace skein::asset {
+namespace skein::asset::plant_contract_test {
 namespace {
 
 struct Kind {
@@ -139,4 +139,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& kind) { return kind.param.name; });
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::plant_contract_test

@@ -12,7 +12,7 @@
 #include "skein/model/path/path_geometry.h"
 #include "skein/model/path/wind_triangle.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::simple_autopilot_test {
 namespace {
 
 constexpr double kStep = 0.02;  // [s]
@@ -444,4 +444,4 @@ TEST(SimpleAutopilot, ReturnsToThePlaceThatWasSet) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::simple_autopilot_test

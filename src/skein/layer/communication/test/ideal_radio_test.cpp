@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace skein::communication {
+namespace skein::communication::ideal_radio_test {
 namespace {
 
 Message message(std::uint32_t from, std::uint64_t number, double sent,
@@ -157,4 +157,4 @@ TEST(IdealRadio, KeepsTheContent) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::ideal_radio_test

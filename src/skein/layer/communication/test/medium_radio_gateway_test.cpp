@@ -11,7 +11,7 @@
 #include "skein/layer/communication/propagation/path_loss.h"
 #include "skein/layer/communication/routing/flooding.h"
 
-namespace skein::communication {
+namespace skein::communication::medium_radio_gateway_test {
 namespace {
 
 // Who is who. The real ones are a thousand kilometres off, each on another side.
@@ -212,4 +212,4 @@ TEST(MediumRadioGateway, EachMessageEndsOnce) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::medium_radio_gateway_test

@@ -11,7 +11,7 @@
 #include "skein/layer/communication/routing/flooding.h"
 #include "skein/layer/communication/routing/learned_routes.h"
 
-namespace skein::communication {
+namespace skein::communication::medium_radio_routing_test {
 namespace {
 
 Message message_of(std::uint32_t from, std::uint32_t to, std::uint64_t number,
@@ -216,4 +216,4 @@ TEST(MediumRadioRouting, WhatALostNeighbourDoesNotAcknowledgeFloods) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::medium_radio_routing_test

@@ -10,7 +10,7 @@
 #include "skein/layer/communication/propagation/path_loss.h"
 #include "skein/layer/communication/routing/flooding.h"
 
-namespace skein::communication {
+namespace skein::communication::medium_radio_security_test {
 namespace {
 
 // Three entities in a row, half a kilometre apart.
@@ -271,4 +271,4 @@ TEST(MediumRadioSecurity, FloodersDisturbSlots) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::medium_radio_security_test

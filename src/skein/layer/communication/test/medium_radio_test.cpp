@@ -9,7 +9,7 @@
 
 #include "skein/layer/communication/propagation/path_loss.h"
 
-namespace skein::communication {
+namespace skein::communication::medium_radio_test {
 namespace {
 
 Message message_of(std::uint32_t from, std::uint32_t to, std::uint64_t number, Time sent,
@@ -290,4 +290,4 @@ TEST(MediumRadio, MessagesGrowTooOldWhereNobodyEverSends) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::medium_radio_test

@@ -13,7 +13,7 @@
 #include "skein/layer/communication/routing/flooding.h"
 #include "skein/layer/communication/routing/learned_routes.h"
 
-namespace skein::communication {
+namespace skein::communication::message_conservation_test {
 namespace {
 
 constexpr std::uint32_t kEntities = 5;
@@ -140,4 +140,4 @@ TEST(MessageConservation, EachEndsOnceWhateverTheRadioIs) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::message_conservation_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace skein::hmi {
+namespace skein::hmi::line_input_test {
 namespace {
 
 TEST(LineInput, GivesLinesAsTheyCome) {
@@ -47,4 +47,4 @@ TEST(LineInput, DropsALineThatIsTooLong) {
 }
 
 }  // namespace
-}  // namespace skein::hmi
+}  // namespace skein::hmi::line_input_test

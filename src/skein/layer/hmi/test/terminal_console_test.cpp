@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace skein::hmi {
+namespace skein::hmi::terminal_console_test {
 namespace {
 
 RunProgress half_way() {
@@ -136,4 +136,4 @@ TEST(TerminalConsole, TakesCommandsAndSaysWhatIsWrongWithThem) {
 }
 
 }  // namespace
-}  // namespace skein::hmi
+}  // namespace skein::hmi::terminal_console_test

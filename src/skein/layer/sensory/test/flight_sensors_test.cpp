@@ -11,7 +11,7 @@
 #include "skein/layer/sensory/power_sensor.h"
 #include "skein/layer/sensory/test/test_world.h"
 
-namespace skein::sensory {
+namespace skein::sensory::flight_sensors_test {
 namespace {
 
 const ImuOptions kPerfectImu{.gyro_noise = 0,
@@ -317,4 +317,4 @@ TEST(PowerSensor, KnowsStandingMotorsAfterItsDelay) {
 }
 
 }  // namespace
-}  // namespace skein::sensory
+}  // namespace skein::sensory::flight_sensors_test

@@ -6,7 +6,7 @@
 
 #include "skein/layer/sensory/test/test_world.h"
 
-namespace skein::sensory {
+namespace skein::sensory::gnss_receiver_test {
 namespace {
 
 // A receiver with one source only, and that in one range metre of position per axis.
@@ -161,4 +161,4 @@ TEST(GnssReceiver, OutagesDoNotChangeTheErrors) {
 }
 
 }  // namespace
-}  // namespace skein::sensory
+}  // namespace skein::sensory::gnss_receiver_test

@@ -9,7 +9,7 @@
 #include "skein/layer/sensory/ray_cast.h"
 #include "skein/layer/sensory/test/test_world.h"
 
-namespace skein::sensory {
+namespace skein::sensory::looking_sensors_test {
 namespace {
 
 class Slope final : public Terrain {
@@ -391,4 +391,4 @@ TEST(Camera, FindsAtItsRateWithItsErrors) {
 }
 
 }  // namespace
-}  // namespace skein::sensory
+}  // namespace skein::sensory::looking_sensors_test

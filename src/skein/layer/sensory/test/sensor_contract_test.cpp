@@ -23,7 +23,7 @@
 #include "skein/layer/sensory/traffic_radar.h"
 #include "skein/layer/sensory/traffic_receiver.h"
 
-namespace skein::sensory {
+namespace skein::sensory::sensor_contract_test {
 namespace {
 
 using Make = std::function<std::unique_ptr<Sensor>(
@@ -225,4 +225,4 @@ TEST(SafetyPilot, TakesOverAndHandsBack) {
 }
 
 }  // namespace
-}  // namespace skein::sensory
+}  // namespace skein::sensory::sensor_contract_test

@@ -8,7 +8,7 @@
 #include "skein/layer/sensory/fire_sensor.h"
 #include "skein/layer/sensory/gnss_sensor.h"
 
-namespace skein::sensory {
+namespace skein::sensory::sensory_test {
 namespace {
 
 class FlatGround final : public Terrain {
@@ -212,4 +212,4 @@ TEST(Sensors, TwoOfOneKindHaveErrorsOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace skein::sensory
+}  // namespace skein::sensory::sensory_test

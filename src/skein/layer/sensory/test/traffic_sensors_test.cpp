@@ -8,7 +8,7 @@
 #include "skein/layer/sensory/traffic_radar.h"
 #include "skein/layer/sensory/traffic_receiver.h"
 
-namespace skein::sensory {
+namespace skein::sensory::traffic_sensors_test {
 namespace {
 
 constexpr Transmitters kAll{true, true, true};
@@ -123,4 +123,4 @@ TEST(PassiveDetector, IsCoarseAndNeedsATransponder) {
 }
 
 }  // namespace
-}  // namespace skein::sensory
+}  // namespace skein::sensory::traffic_sensors_test

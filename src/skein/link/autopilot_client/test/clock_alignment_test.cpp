@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace skein::autopilot_client {
+namespace skein::autopilot_client::clock_alignment_test {
 namespace {
 
 Time s(double seconds) {
@@ -82,4 +82,4 @@ TEST(ClockAlignment, IgnoresAnswersThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot_client
+}  // namespace skein::autopilot_client::clock_alignment_test

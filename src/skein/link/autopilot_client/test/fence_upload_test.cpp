@@ -6,7 +6,7 @@
 #include "skein/link/vehicle_services/test/bad_line.h"
 #include "skein/link/vehicle_services/test/station.h"
 
-namespace skein::autopilot_client {
+namespace skein::autopilot_client::fence_upload_test {
 namespace {
 
 using vehicle_services::BadLine;
@@ -136,4 +136,4 @@ TEST(FenceUpload, WhatTheVehicleFindsWrongIsDenied) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot_client
+}  // namespace skein::autopilot_client::fence_upload_test

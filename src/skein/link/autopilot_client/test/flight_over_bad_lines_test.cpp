@@ -4,7 +4,7 @@
 
 #include "skein/link/autopilot_client/test/flight.h"
 
-namespace skein::autopilot_client {
+namespace skein::autopilot_client::flight_over_bad_lines_test {
 namespace {
 
 MissionUpload square(double altitude_msl) {
@@ -69,4 +69,4 @@ TEST(AutopilotClient, FliesEveryVehicleOverEveryLine) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot_client
+}  // namespace skein::autopilot_client::flight_over_bad_lines_test

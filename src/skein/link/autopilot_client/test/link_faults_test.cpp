@@ -7,7 +7,7 @@
 
 #include "skein/link/autopilot_client/test/flight.h"
 
-namespace skein::autopilot_client {
+namespace skein::autopilot_client::link_faults_test {
 namespace {
 
 using Kind = LinkChange::Kind;
@@ -135,4 +135,4 @@ TEST_F(LinkFaults, AnotherVehicleOfItsNumber) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot_client
+}  // namespace skein::autopilot_client::link_faults_test

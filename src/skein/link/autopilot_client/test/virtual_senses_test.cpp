@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace skein::autopilot_client {
+namespace skein::autopilot_client::virtual_senses_test {
 namespace {
 
 TEST(VirtualSenses, ObstaclesAreCentimetresInTheFrameOfTheBody) {
@@ -55,4 +55,4 @@ TEST(VirtualSenses, PositionsHaveTheTimeOfSatellites) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot_client
+}  // namespace skein::autopilot_client::virtual_senses_test

@@ -14,7 +14,7 @@
 
 #include "skein/link/flight_model/test/x_plane_packets.h"
 
-namespace skein::flight_model {
+namespace skein::flight_model::flight_model_link_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -170,4 +170,4 @@ TEST(FlightModelLink, AProgramThatEndsBeforeItSaysAnythingEndsTheRun) {
 }
 
 }  // namespace
-}  // namespace skein::flight_model
+}  // namespace skein::flight_model::flight_model_link_test

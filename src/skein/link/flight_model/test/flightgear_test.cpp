@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace skein::flight_model {
+namespace skein::flight_model::flightgear_test {
 namespace {
 
 // Numbers of one line, in its order.
@@ -136,4 +136,4 @@ TEST(FlightGear, TheProtocolFileLiesWithTheScenarios) {
 }
 
 }  // namespace
-}  // namespace skein::flight_model
+}  // namespace skein::flight_model::flightgear_test

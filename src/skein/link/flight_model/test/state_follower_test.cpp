@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::flight_model {
+namespace skein::flight_model::state_follower_test {
 namespace {
 
 geo::LocalFrame follower_frame() {
@@ -113,4 +113,4 @@ TEST(StateFollower, AJumpIsAResetAndAFastTurnIsNone) {
 }
 
 }  // namespace
-}  // namespace skein::flight_model
+}  // namespace skein::flight_model::state_follower_test

@@ -7,7 +7,7 @@
 
 #include "skein/link/flight_model/test/x_plane_packets.h"
 
-namespace skein::flight_model {
+namespace skein::flight_model::x_plane_test {
 namespace {
 
 std::optional<FlightState> take(XPlaneReader& reader, const std::string& datagram) {
@@ -135,4 +135,4 @@ TEST(XPlane, SetsControlsAndTakesTheJoystickAtTheBegin) {
 }
 
 }  // namespace
-}  // namespace skein::flight_model
+}  // namespace skein::flight_model::x_plane_test

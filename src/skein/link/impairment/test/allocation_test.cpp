@@ -24,7 +24,7 @@ void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
-namespace skein::impairment {
+namespace skein::impairment::allocation_test {
 namespace {
 
 TEST(ImpairedChannel, AllocatesNothingForPacketsOnceWarm) {
@@ -60,4 +60,4 @@ TEST(ImpairedChannel, AllocatesNothingForPacketsOnceWarm) {
 }
 
 }  // namespace
-}  // namespace skein::impairment
+}  // namespace skein::impairment::allocation_test

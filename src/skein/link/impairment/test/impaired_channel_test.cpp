@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace skein::impairment {
+namespace skein::impairment::impaired_channel_test {
 namespace {
 
 Time at(double seconds) {
@@ -326,4 +326,4 @@ TEST(ImpairedChannel, GivesTheSameHoweverOftenItIsAsked) {
 }
 
 }  // namespace
-}  // namespace skein::impairment
+}  // namespace skein::impairment::impaired_channel_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::impairment {
+namespace skein::impairment::impairment_schedule_test {
 namespace {
 
 TEST(ImpairmentSchedule, ChangesInOrderOfTime) {
@@ -38,4 +38,4 @@ TEST(ImpairmentSchedule, TakesBackWhatWasChangedByHand) {
 }
 
 }  // namespace
-}  // namespace skein::impairment
+}  // namespace skein::impairment::impairment_schedule_test

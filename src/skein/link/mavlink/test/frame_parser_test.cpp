@@ -16,7 +16,7 @@
 #include "skein/link/mavlink/frame_writer.h"
 #include "skein/link/mavlink/messages.h"
 
-namespace skein::mavlink {
+namespace skein::mavlink::frame_parser_test {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -205,4 +205,4 @@ TEST(Frame, SaysForWhomItIs) {
 }
 
 }  // namespace
-}  // namespace skein::mavlink
+}  // namespace skein::mavlink::frame_parser_test

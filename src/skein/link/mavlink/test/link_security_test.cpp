@@ -14,7 +14,7 @@
 #include "skein/link/mavlink/messages.h"
 #include "skein/link/mavlink/signing_key_file.h"
 
-namespace skein::mavlink {
+namespace skein::mavlink::link_security_test {
 namespace {
 
 constexpr std::int64_t kUnixNow = 1'767'225'600'000'000'000;  // 2026-01-01 [ns]
@@ -173,4 +173,4 @@ TEST_F(KeyFile, IsRefusedWhenItHoldsNoKey) {
 }
 
 }  // namespace
-}  // namespace skein::mavlink
+}  // namespace skein::mavlink::link_security_test

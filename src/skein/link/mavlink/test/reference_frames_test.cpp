@@ -16,7 +16,7 @@
 #include "skein/link/mavlink/frame_writer.h"
 #include "skein/link/mavlink/messages.h"
 
-namespace skein::mavlink {
+namespace skein::mavlink::reference_frames_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -196,4 +196,4 @@ TEST_F(ReferenceFrames, HaveTheLengthsAndTargetsOfTheDefinitions) {
 }
 
 }  // namespace
-}  // namespace skein::mavlink
+}  // namespace skein::mavlink::reference_frames_test

@@ -8,7 +8,7 @@
 #include "skein/link/mavlink/frame_writer.h"
 #include "skein/link/mavlink/messages.h"
 
-namespace skein::mavlink {
+namespace skein::mavlink::sequence_watch_test {
 namespace {
 
 // Frames of one sender, or of two, with these counts.
@@ -59,4 +59,4 @@ TEST(SequenceWatch, ASenderThatBeginsAnewHasLostNothing) {
 }
 
 }  // namespace
-}  // namespace skein::mavlink
+}  // namespace skein::mavlink::sequence_watch_test

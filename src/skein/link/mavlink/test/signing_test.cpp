@@ -10,7 +10,7 @@
 #include "skein/link/mavlink/frame_writer.h"
 #include "skein/link/mavlink/messages.h"
 
-namespace skein::mavlink {
+namespace skein::mavlink::signing_test {
 namespace {
 
 using enum SignatureVerdict;
@@ -82,4 +82,4 @@ TEST(Signing, CountsFrom2015) {
 }
 
 }  // namespace
-}  // namespace skein::mavlink
+}  // namespace skein::mavlink::signing_test

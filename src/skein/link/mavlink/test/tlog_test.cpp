@@ -11,7 +11,7 @@
 #include "skein/link/mavlink/frame_writer.h"
 #include "skein/link/mavlink/messages.h"
 
-namespace skein::mavlink {
+namespace skein::mavlink::tlog_test {
 namespace {
 
 TEST(Tlog, HasATimeBeforeEachFrameAndNoSignatures) {
@@ -48,4 +48,4 @@ TEST(Tlog, SaysWhereItCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace skein::mavlink
+}  // namespace skein::mavlink::tlog_test

@@ -7,7 +7,7 @@
 #include "skein/data/wire.h"
 #include "skein/link/modem/stream_frames.h"
 
-namespace skein::modem {
+namespace skein::modem::datagram_test {
 namespace {
 
 Datagram datagram_of(std::size_t bytes) {
@@ -132,4 +132,4 @@ TEST(StreamFrames, FindTheNextOneWhenAsManyBytesHaveComeAsAreMissing) {
 }
 
 }  // namespace
-}  // namespace skein::modem
+}  // namespace skein::modem::datagram_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::modem {
+namespace skein::modem::load_meter_test {
 namespace {
 
 Time seconds(double s) {
@@ -28,4 +28,4 @@ TEST(LoadMeter, KnowsNoLoadWithoutARate) {
 }
 
 }  // namespace
-}  // namespace skein::modem
+}  // namespace skein::modem::load_meter_test

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-namespace skein::modem {
+namespace skein::modem::modem_link_test {
 namespace {
 
 constexpr EntityId kStation{0}, kReal{1}, kSimulated{2};
@@ -305,4 +305,4 @@ TEST(ModemLink, CountsDamagedFramesOfLinesThatAreGoneToo) {
 }
 
 }  // namespace
-}  // namespace skein::modem
+}  // namespace skein::modem::modem_link_test

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-namespace skein::modem {
+namespace skein::modem::modem_parts_test {
 namespace {
 
 constexpr EntityId kStation{0}, kReal{1}, kSimulated{2};
@@ -164,4 +164,4 @@ TEST(ModemParts, SayThatNoLineIsOpen) {
 }
 
 }  // namespace
-}  // namespace skein::modem
+}  // namespace skein::modem::modem_parts_test

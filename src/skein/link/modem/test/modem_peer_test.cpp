@@ -6,7 +6,7 @@
 
 #include "skein/data/wire.h"
 
-namespace skein::modem {
+namespace skein::modem::modem_peer_test {
 namespace {
 
 constexpr EntityId kStation{0}, kFirst{1}, kSecond{2}, kSimulated{3}, kOther{4};
@@ -440,4 +440,4 @@ TEST(SealedModemPeer, OnlyCountsWhereItIsNotRequired) {
 }
 
 }  // namespace
-}  // namespace skein::modem
+}  // namespace skein::modem::modem_peer_test

@@ -3,7 +3,7 @@
 #include "skein/link/modem/duplicates.h"
 #include "skein/link/modem/neighbour_table.h"
 
-namespace skein::modem {
+namespace skein::modem::neighbours_test {
 namespace {
 
 Time seconds(double s) {
@@ -95,4 +95,4 @@ TEST(Duplicates, KeepToTheNewestSessionWhereNoneCanBeMadeUp) {
 }
 
 }  // namespace
-}  // namespace skein::modem
+}  // namespace skein::modem::neighbours_test

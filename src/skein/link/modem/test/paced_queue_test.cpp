@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::modem {
+namespace skein::modem::paced_queue_test {
 namespace {
 
 Time seconds(double s) {
@@ -101,4 +101,4 @@ TEST(PacedQueue, DropsTheDeadBeforeItRefusesTheLiving) {
 }
 
 }  // namespace
-}  // namespace skein::modem
+}  // namespace skein::modem::paced_queue_test

@@ -7,7 +7,7 @@
 
 #include "skein/data/control.h"
 
-namespace skein::physics_link {
+namespace skein::physics_link::channel_map_test {
 namespace {
 
 using Make = ChannelMap::Make;
@@ -93,4 +93,4 @@ TEST(ChannelMap, BoundsWhatItIsGiven) {
 }
 
 }  // namespace
-}  // namespace skein::physics_link
+}  // namespace skein::physics_link::channel_map_test

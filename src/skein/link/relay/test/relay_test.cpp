@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace skein::relay {
+namespace skein::relay::relay_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -441,4 +441,4 @@ TEST(Relay, RefusesWhereItCannotBe) {
 }
 
 }  // namespace
-}  // namespace skein::relay
+}  // namespace skein::relay::relay_test

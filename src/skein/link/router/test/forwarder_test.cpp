@@ -11,7 +11,7 @@
 #include "skein/link/mavlink/frame_writer.h"
 #include "skein/link/mavlink/messages.h"
 
-namespace skein::router {
+namespace skein::router::forwarder_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -143,4 +143,4 @@ TEST(Forwarder, RecordsWhatComesInButNoKeys) {
 }
 
 }  // namespace
-}  // namespace skein::router
+}  // namespace skein::router::forwarder_test

@@ -8,7 +8,7 @@
 #include "skein/link/mavlink/frame_writer.h"
 #include "skein/link/mavlink/messages.h"
 
-namespace skein::router {
+namespace skein::router::frame_router_test {
 namespace {
 
 using Channels = std::vector<Channel>;
@@ -99,4 +99,4 @@ TEST(FrameRouter, NobodyIsSystem0) {
 }
 
 }  // namespace
-}  // namespace skein::router
+}  // namespace skein::router::frame_router_test

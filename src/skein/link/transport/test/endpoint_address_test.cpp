@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace skein::transport {
+namespace skein::transport::endpoint_address_test {
 namespace {
 
 TEST(EndpointAddress, IsReadAndWrittenTheSame) {
@@ -49,4 +49,4 @@ TEST(EndpointAddress, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace skein::transport
+}  // namespace skein::transport::endpoint_address_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace skein::transport {
+namespace skein::transport::endpoints_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -216,4 +216,4 @@ TEST(Endpoints, SayWhereNothingCanBeOpened) {
 }
 
 }  // namespace
-}  // namespace skein::transport
+}  // namespace skein::transport::endpoints_test

@@ -10,7 +10,7 @@
 #include "skein/base/random.h"
 #include "skein/link/mavlink/payload.h"
 
-namespace skein::vehicle_links {
+namespace skein::vehicle_links::traffic_exchange_test {
 namespace {
 
 geo::LocalFrame frame() {
@@ -277,4 +277,4 @@ TEST(TrafficMessage, AddressesFollowFromNamesAndDiffer) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_links
+}  // namespace skein::vehicle_links::traffic_exchange_test

@@ -10,7 +10,7 @@
 #include "skein/link/vehicle_links/test/stand_ins.h"
 #include "skein/link/vehicle_links/traffic_feed.h"
 
-namespace skein::vehicle_links {
+namespace skein::vehicle_links::vehicle_links_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -178,4 +178,4 @@ TEST(Mailbox, KeepsWhatSomebodyWaitsForHoweverMuchElseComes) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_links
+}  // namespace skein::vehicle_links::vehicle_links_test

@@ -23,7 +23,7 @@ void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
-namespace skein::vehicle_services {
+namespace skein::vehicle_services::allocation_test {
 namespace {
 
 TEST(VehicleServer, AllocatesNothingForTelemetry) {
@@ -55,4 +55,4 @@ TEST(VehicleServer, AllocatesNothingForTelemetry) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_services
+}  // namespace skein::vehicle_services::allocation_test

@@ -5,7 +5,7 @@
 
 #include "skein/link/vehicle_services/test/station.h"
 
-namespace skein::vehicle_services {
+namespace skein::vehicle_services::commands_test {
 namespace {
 
 using mavlink::CommandId;
@@ -524,4 +524,4 @@ TEST(Home, IsGivenOutAndSet) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_services
+}  // namespace skein::vehicle_services::commands_test

@@ -7,7 +7,7 @@
 #include "skein/link/vehicle_services/mode_table.h"
 #include "skein/link/vehicle_services/test/ground_station.h"
 
-namespace skein::vehicle_services {
+namespace skein::vehicle_services::conformance_test {
 namespace {
 
 using mavlink::CommandId;
@@ -284,4 +284,4 @@ TEST(Conformance, ARunThatStandsStillIsStillThere) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_services
+}  // namespace skein::vehicle_services::conformance_test

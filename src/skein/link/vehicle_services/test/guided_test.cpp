@@ -5,7 +5,7 @@
 
 #include "skein/link/vehicle_services/test/station.h"
 
-namespace skein::vehicle_services {
+namespace skein::vehicle_services::guided_test {
 namespace {
 
 using mavlink::CommandId;
@@ -410,4 +410,4 @@ TEST(GuidedItems, GoThereOrChangeTheAltitude) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_services
+}  // namespace skein::vehicle_services::guided_test

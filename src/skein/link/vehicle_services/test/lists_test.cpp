@@ -6,7 +6,7 @@
 #include "skein/link/vehicle_services/mission_items.h"
 #include "skein/link/vehicle_services/test/station.h"
 
-namespace skein::vehicle_services {
+namespace skein::vehicle_services::lists_test {
 namespace {
 
 using mavlink::CommandId;
@@ -461,4 +461,4 @@ TEST(Lists, AreTakenByOneStationAtATime) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_services
+}  // namespace skein::vehicle_services::lists_test

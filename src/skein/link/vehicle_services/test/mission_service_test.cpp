@@ -9,7 +9,7 @@
 #include "skein/link/vehicle_services/places.h"
 #include "skein/link/vehicle_services/test/bad_line.h"
 
-namespace skein::vehicle_services {
+namespace skein::vehicle_services::mission_service_test {
 namespace {
 
 using mavlink::MissionResult;
@@ -342,4 +342,4 @@ TEST(MissionService, SaysWhenThereIsNoSuchItemAndKeepsToItsKindOfList) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_services
+}  // namespace skein::vehicle_services::mission_service_test

@@ -10,7 +10,7 @@
 
 #include "skein/link/vehicle_services/test/bad_line.h"
 
-namespace skein::vehicle_services {
+namespace skein::vehicle_services::parameter_service_test {
 namespace {
 
 std::vector<Parameter> parameters() {
@@ -177,4 +177,4 @@ TEST(ParameterService, SendsAListToSeveralAndNotTooFast) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_services
+}  // namespace skein::vehicle_services::parameter_service_test

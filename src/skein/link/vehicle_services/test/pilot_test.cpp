@@ -2,7 +2,7 @@
 
 #include "skein/link/vehicle_services/test/station.h"
 
-namespace skein::vehicle_services {
+namespace skein::vehicle_services::pilot_test {
 namespace {
 
 using mavlink::CommandId;
@@ -146,4 +146,4 @@ TEST(PilotOverride, AJoystickIsTheSame) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_services
+}  // namespace skein::vehicle_services::pilot_test

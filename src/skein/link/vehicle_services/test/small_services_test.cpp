@@ -8,7 +8,7 @@
 #include "skein/link/vehicle_services/test/station.h"
 #include "skein/link/vehicle_services/vehicle_numbers.h"
 
-namespace skein::vehicle_services {
+namespace skein::vehicle_services::small_services_test {
 namespace {
 
 TEST(Timesync, GivesTheClockOfTelemetry) {
@@ -226,4 +226,4 @@ TEST(VehicleServer, PassesOverItsOwnFrames) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_services
+}  // namespace skein::vehicle_services::small_services_test

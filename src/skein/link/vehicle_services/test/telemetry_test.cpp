@@ -8,7 +8,7 @@
 #include "skein/link/vehicle_services/mode_table.h"
 #include "skein/link/vehicle_services/test/station.h"
 
-namespace skein::vehicle_services {
+namespace skein::vehicle_services::telemetry_test {
 namespace {
 
 using mavlink::CommandId;
@@ -448,4 +448,4 @@ TEST(Identity, ListsItsModes) {
 }
 
 }  // namespace
-}  // namespace skein::vehicle_services
+}  // namespace skein::vehicle_services::telemetry_test

@@ -10,7 +10,7 @@
 
 #include "skein/link/world_link/world_client.h"
 
-namespace skein::world_link {
+namespace skein::world_link::entity_links_test {
 namespace {
 
 using Kind = LinkChange::Kind;
@@ -237,4 +237,4 @@ TEST(FrameReader, TakesPacketsHoweverTheyAreCut) {
 }
 
 }  // namespace
-}  // namespace skein::world_link
+}  // namespace skein::world_link::entity_links_test

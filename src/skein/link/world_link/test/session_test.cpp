@@ -6,7 +6,7 @@
 
 #include "skein/link/world_link/test/packet_line.h"
 
-namespace skein::world_link {
+namespace skein::world_link::session_test {
 namespace {
 
 using Kind = SessionChange::Kind;
@@ -207,4 +207,4 @@ TEST(Session, WhatIsRefusedIsSaidOnce) {
 }
 
 }  // namespace
-}  // namespace skein::world_link
+}  // namespace skein::world_link::session_test

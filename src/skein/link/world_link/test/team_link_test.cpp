@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::world_link {
+namespace skein::world_link::team_link_test {
 namespace {
 
 constexpr EntityId kA{1}, kB{2}, kC{3};
@@ -67,4 +67,4 @@ TEST(TeamLink, TakesAnAgentThatBeganAnew) {
 }
 
 }  // namespace
-}  // namespace skein::world_link
+}  // namespace skein::world_link::team_link_test

@@ -6,7 +6,7 @@
 
 #include "skein/data/air.h"
 
-namespace skein::model {
+namespace skein::model::atmosphere_test {
 namespace {
 
 TEST(Atmosphere, MatchesTheStandardsTable) {
@@ -66,4 +66,4 @@ TEST(Atmosphere, StaysFiniteAnywhere) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::atmosphere_test

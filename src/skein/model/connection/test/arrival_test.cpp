@@ -8,7 +8,7 @@
 #include "skein/model/connection/test/dense_search.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::model {
+namespace skein::model::arrival_test {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -158,4 +158,4 @@ TEST(Airplane, RefusesWhatIsNoRate) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::arrival_test

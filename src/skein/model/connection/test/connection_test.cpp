@@ -7,7 +7,7 @@
 
 #include "skein/model/connection/test/dense_search.h"
 
-namespace skein::model {
+namespace skein::model::connection_test {
 namespace {
 
 void expect_exact(const ConnectionQuery& q, std::uint32_t number) {
@@ -89,4 +89,4 @@ TEST(Connection, TakesCoursesOverGround) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::connection_test

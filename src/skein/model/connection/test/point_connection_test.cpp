@@ -10,7 +10,7 @@
 #include "skein/model/path/flight_plan.h"
 #include "skein/model/path/point_path.h"
 
-namespace skein::model {
+namespace skein::model::point_connection_test {
 namespace {
 
 double end_error(const ConnectionQuery& q, const PointConnection& c) {
@@ -85,4 +85,4 @@ TEST(PointConnection, RefusesWhatCannotBeMet) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::point_connection_test

@@ -7,7 +7,7 @@
 #include "skein/geo/clip.h"
 #include "skein/model/front/front.h"
 
-namespace skein::model {
+namespace skein::model::front_property_test {
 namespace {
 
 // A random field: patches, gusts, slopes and rocks, all drawn from one seed.
@@ -74,4 +74,4 @@ TEST(FrontProperty, GrowsCleanlyInRandomFieldsFromRandomIgnitions) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::front_property_test

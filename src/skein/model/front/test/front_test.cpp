@@ -8,7 +8,7 @@
 #include "skein/geo/boundary_index.h"
 #include "skein/geo/clip.h"
 
-namespace skein::model {
+namespace skein::model::front_test {
 namespace {
 
 using geo::kPi;
@@ -341,4 +341,4 @@ TEST(FrontOptions, RefusesImpossibleValues) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::front_test

@@ -5,7 +5,7 @@
 #include "skein/model/front/crossing.h"
 #include "skein/model/front/spacing.h"
 
-namespace skein::model {
+namespace skein::model::marker_test {
 namespace {
 
 using geo::kPi;
@@ -99,4 +99,4 @@ TEST(CrossingSearch, SeesTwoRingsThatOverlap) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::marker_test

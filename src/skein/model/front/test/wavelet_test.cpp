@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace skein::model {
+namespace skein::model::wavelet_test {
 namespace {
 
 // Speed of the front along its normal: the support function of the wavelet.
@@ -119,4 +119,4 @@ TEST(SpreadLaw, RefusesImpossibleValues) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::wavelet_test

@@ -6,7 +6,7 @@
 #include "skein/geo/clip.h"
 #include "skein/model/levelset/reinitialise.h"
 
-namespace skein::model {
+namespace skein::model::advance_test {
 namespace {
 
 // A circle of radius 80 that grows for 60 s at 2 m/s, redistanced every 10 s.
@@ -84,4 +84,4 @@ TEST(Advance, WithoutSpeedOrTimeNothingMoves) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::advance_test

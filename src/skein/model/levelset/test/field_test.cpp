@@ -5,7 +5,7 @@
 #include "shapes.h"
 #include "skein/base/check.h"
 
-namespace skein::model {
+namespace skein::model::field_test {
 namespace {
 
 double plane(const Vec2& p) {
@@ -56,4 +56,4 @@ TEST(Field, CoarseningKeepsEverySecondNode) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::field_test

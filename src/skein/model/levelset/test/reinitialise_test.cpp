@@ -5,7 +5,7 @@
 #include "shapes.h"
 #include "skein/geo/clip.h"
 
-namespace skein::model {
+namespace skein::model::reinitialise_test {
 namespace {
 
 TEST(Reinitialise, DistortedCircleBecomesADistance) {
@@ -69,4 +69,4 @@ TEST(Reinitialise, SaddleAndExactZerosStayFinite) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::reinitialise_test

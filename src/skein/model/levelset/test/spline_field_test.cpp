@@ -5,7 +5,7 @@
 #include "shapes.h"
 #include "skein/base/random.h"
 
-namespace skein::model {
+namespace skein::model::spline_field_test {
 namespace {
 
 TEST(SplineField, ReproducesConstantsAndPlanes) {
@@ -46,4 +46,4 @@ TEST(SplineField, WhiteCoefficientsGiveTheStatedSpread) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::spline_field_test

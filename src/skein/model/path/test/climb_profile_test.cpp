@@ -7,7 +7,7 @@
 #include "skein/base/random.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::model {
+namespace skein::model::climb_profile_test {
 namespace {
 
 double duration_of(const ClimbProfile& profile) {
@@ -126,4 +126,4 @@ TEST(ClimbProfile, PlansClimbAlongTheirPath) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::climb_profile_test

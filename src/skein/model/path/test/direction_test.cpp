@@ -4,7 +4,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::model {
+namespace skein::model::direction_test {
 namespace {
 
 // As direction() promises, and half an ulp of the reference.
@@ -43,4 +43,4 @@ TEST(NearestWhole, RoundsToTheNearest) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::direction_test

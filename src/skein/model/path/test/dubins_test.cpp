@@ -8,7 +8,7 @@
 #include "skein/base/random.h"
 #include "skein/model/path/path_geometry.h"
 
-namespace skein::model {
+namespace skein::model::dubins_test {
 namespace {
 
 constexpr double kRadius = 60;
@@ -130,4 +130,4 @@ TEST(Dubins, HalfTurnOnTheSpot) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::dubins_test

@@ -7,7 +7,7 @@
 #include "skein/base/random.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::model {
+namespace skein::model::flight_code_test {
 namespace {
 
 // A flight of some straights, turns, climbs and vertical turns, in a wind.
@@ -106,4 +106,4 @@ TEST(FlightCode, RefusesWhatIsNoFlight) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::flight_code_test

@@ -4,7 +4,7 @@
 
 #include "skein/model/path/plan_curve.h"
 
-namespace skein::model {
+namespace skein::model::flight_plan_test {
 namespace {
 
 FlightElement turn_in_wind(double rate) {
@@ -156,4 +156,4 @@ TEST(FlightPlan, MovesInTime) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::flight_plan_test

@@ -6,7 +6,7 @@
 #include "skein/base/random.h"
 #include "skein/model/path/path_geometry.h"
 
-namespace skein::model {
+namespace skein::model::path_cursor_test {
 namespace {
 
 Path random_path(RandomStream& random) {
@@ -101,4 +101,4 @@ TEST(PathCursor, EmptyPathsAreABug) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::path_cursor_test

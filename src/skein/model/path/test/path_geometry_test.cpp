@@ -7,7 +7,7 @@
 #include "skein/base/random.h"
 #include "skein/model/path/wind_triangle.h"
 
-namespace skein::model {
+namespace skein::model::path_geometry_test {
 namespace {
 
 Path sample_path() {
@@ -120,4 +120,4 @@ TEST(WindTriangle, GroundRadiusIsFlyableAtEveryHeading) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::path_geometry_test

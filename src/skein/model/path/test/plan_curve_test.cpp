@@ -4,7 +4,7 @@
 
 #include "skein/base/check.h"
 
-namespace skein::model {
+namespace skein::model::plan_curve_test {
 namespace {
 
 Plan sample() {
@@ -109,4 +109,4 @@ TEST(PlanCurve, TimesMustGrow) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::plan_curve_test

@@ -8,7 +8,7 @@
 #include "skein/model/path/dubins.h"
 #include "skein/model/path/path_geometry.h"
 
-namespace skein::model {
+namespace skein::model::point_path_test {
 namespace {
 
 constexpr double kRadius = 60;
@@ -68,4 +68,4 @@ TEST(PointPath, SimpleCases) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::point_path_test

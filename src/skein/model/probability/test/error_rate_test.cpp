@@ -6,7 +6,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::model {
+namespace skein::model::error_rate_test {
 namespace {
 
 TEST(ErrorRate, IsWhatWasStatedBeforeAnyTrial) {
@@ -31,4 +31,4 @@ TEST(ErrorRate, NoErrorsAtAllIsKept) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::error_rate_test

@@ -9,7 +9,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::model {
+namespace skein::model::half_space_update_test {
 namespace {
 
 ControlPoint point_at(double north, double east) {
@@ -217,4 +217,4 @@ TEST(HalfSpaceUpdate, KeepsTheCovarianceAValidOneUnderAnyReadings) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::half_space_update_test

@@ -7,7 +7,7 @@
 
 #include "skein/base/check.h"
 
-namespace skein::model {
+namespace skein::model::normal_test {
 namespace {
 
 // Laplace's continued fraction for the Mills ratio, in extended precision; 4000 terms are
@@ -76,4 +76,4 @@ TEST(GaussianCrps, OfACertainForecastIsItsError) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::normal_test

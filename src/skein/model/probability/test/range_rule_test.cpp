@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace skein::model {
+namespace skein::model::range_rule_test {
 namespace {
 
 constexpr Side kAbove = Side::kAbove, kBelow = Side::kBelow;
@@ -133,4 +133,4 @@ TEST(GainA15, IsOverconfident) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::range_rule_test

@@ -8,7 +8,7 @@
 #include "skein/base/check.h"
 #include "skein/base/random.h"
 
-namespace skein::model {
+namespace skein::model::truncated_normal_test {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -192,4 +192,4 @@ TEST(UncertainHalfLine, AnImpossibleReadingIsTakenForAnError) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::truncated_normal_test

@@ -24,7 +24,7 @@ void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
-namespace skein::model::test {
+namespace skein::model::test::allocation_test {
 namespace {
 
 TEST(BandAdvisor, AllocatesNothingOnceItHasMetAsMany) {
@@ -50,4 +50,4 @@ TEST(BandAdvisor, AllocatesNothingOnceItHasMetAsMany) {
 }
 
 }  // namespace
-}  // namespace skein::model::test
+}  // namespace skein::model::test::allocation_test

@@ -1,7 +1,7 @@
 // Against answers of another program: the reference data's, where they are stable.
 #include "skein/model/well_clear/test/reference_encounters.h"
 
-namespace skein::model::test {
+namespace skein::model::test::reference_test {
 namespace {
 
 // The tables have six decimals.
@@ -162,4 +162,4 @@ TEST(WellClearReference, AlertsWithHysteresisChangeInTheSameSeconds) {
 }
 
 }  // namespace
-}  // namespace skein::model::test
+}  // namespace skein::model::test::reference_test

@@ -7,7 +7,7 @@
 #include "skein/model/well_clear/band_advisor.h"
 #include "skein/model/well_clear/test/random_encounter.h"
 
-namespace skein::model::test {
+namespace skein::model::test::well_clear_property_test {
 namespace {
 
 const WellClearConfiguration& configuration_of(int choice) {
@@ -228,4 +228,4 @@ TEST(WellClearLaw, WhatIsAdvisedIsFreeOrRegainsWellClear) {
 }
 
 }  // namespace
-}  // namespace skein::model::test
+}  // namespace skein::model::test::well_clear_property_test

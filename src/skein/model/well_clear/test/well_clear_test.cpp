@@ -3,7 +3,7 @@
 #include "skein/model/well_clear/band_advisor.h"
 #include "skein/model/well_clear/options.h"
 
-namespace skein::model {
+namespace skein::model::well_clear_test {
 namespace {
 
 const WellClearConfiguration& suas() {
@@ -159,4 +159,4 @@ TEST(BandAdvisor, SaysWhenThereIsOnlyRecovery) {
 }
 
 }  // namespace
-}  // namespace skein::model
+}  // namespace skein::model::well_clear_test

@@ -27,7 +27,7 @@
 #include "skein/role/vehicle.h"
 #include "skein/role/wind_field.h"
 
-namespace skein::contract {
+namespace skein::contract::contract_test {
 namespace {
 
 using One = Violations;
@@ -497,4 +497,4 @@ TEST(PlannerContract, FindsEachBreach) {
 }
 
 }  // namespace
-}  // namespace skein::contract
+}  // namespace skein::contract::contract_test

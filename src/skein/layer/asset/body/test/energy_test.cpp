@@ -5,7 +5,7 @@
 
 #include "skein/layer/asset/body/energy_source.h"
 
-namespace skein::asset {
+namespace skein::asset::energy_test {
 namespace {
 
 BatteryParameters even_voltage() {
@@ -177,4 +177,4 @@ TEST(EnergySource, NoneAlwaysGivesUntilItFails) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::energy_test

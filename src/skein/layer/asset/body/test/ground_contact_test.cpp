@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace skein::asset {
+namespace skein::asset::ground_contact_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -163,4 +163,4 @@ TEST(ParameterCheck, InertiaOfNoBodyIsNamed) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::ground_contact_test

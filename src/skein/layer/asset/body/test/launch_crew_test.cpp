@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::asset {
+namespace skein::asset::launch_crew_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -69,4 +69,4 @@ TEST(LaunchCrew, SaysWhichNumbersNobodyThrowsWith) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::launch_crew_test

@@ -6,7 +6,7 @@
 
 #include "skein/base/check.h"
 
-namespace skein::asset {
+namespace skein::asset::rigid_body_test {
 namespace {
 
 // A body whose axes are not principal, so that nothing is tested by symmetry.
@@ -150,4 +150,4 @@ TEST(Inertia, RefusesWhatNoBodyHas) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::rigid_body_test

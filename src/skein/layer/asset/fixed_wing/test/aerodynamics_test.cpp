@@ -6,7 +6,7 @@
 
 #include "skein/layer/asset/fixed_wing/test/aircraft.h"
 
-namespace skein::asset {
+namespace skein::asset::aerodynamics_test {
 namespace {
 
 Vec3 velocity(double V, double alpha, double beta) {
@@ -167,4 +167,4 @@ TEST(Aerodynamics, StallBlendsAsInTheBook) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::aerodynamics_test

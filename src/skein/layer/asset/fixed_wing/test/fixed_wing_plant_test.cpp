@@ -12,7 +12,7 @@
 #include "skein/layer/asset/fixed_wing/trim.h"
 #include "skein/model/atmosphere/atmosphere.h"
 
-namespace skein::asset {
+namespace skein::asset::fixed_wing_plant_test {
 namespace {
 
 using channel::kAileron;
@@ -352,4 +352,4 @@ TEST(FixedWingPlant, StepsWithoutAllocating) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::fixed_wing_plant_test

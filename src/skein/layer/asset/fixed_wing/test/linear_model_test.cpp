@@ -9,7 +9,7 @@
 #include "skein/layer/asset/fixed_wing/open_loop.h"
 #include "skein/layer/asset/fixed_wing/test/aircraft.h"
 
-namespace skein::asset {
+namespace skein::asset::linear_model_test {
 namespace {
 
 using L = LinearModel;
@@ -182,4 +182,4 @@ TEST(LinearModel, AnswersToInputsAreThoseFlown) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::linear_model_test

@@ -8,7 +8,7 @@
 #include "skein/layer/asset/fixed_wing/trim.h"
 #include "skein/model/atmosphere/atmosphere.h"
 
-namespace skein::asset {
+namespace skein::asset::open_loop_test {
 namespace {
 
 // The published aircraft without stall, as in the comparisons with others.
@@ -285,4 +285,4 @@ TEST(OpenLoop, FallsOnAParabolaWithoutAir) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::open_loop_test

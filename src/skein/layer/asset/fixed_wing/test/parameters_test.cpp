@@ -11,7 +11,7 @@
 #include "skein/layer/asset/fixed_wing/fixed_wing_plant.h"
 #include "skein/layer/asset/fixed_wing/test/aircraft.h"
 
-namespace skein::asset {
+namespace skein::asset::parameters_test {
 namespace {
 
 TEST(FixedWingParameters, ThoseOfTheDocumentsAreValid) {
@@ -63,4 +63,4 @@ TEST(FixedWingParameters, WhatCannotFlyIsNamed) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::parameters_test

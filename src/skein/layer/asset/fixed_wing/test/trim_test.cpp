@@ -7,7 +7,7 @@
 #include "skein/layer/asset/fixed_wing/open_loop.h"
 #include "skein/layer/asset/fixed_wing/test/aircraft.h"
 
-namespace skein::asset {
+namespace skein::asset::trim_test {
 namespace {
 
 // Flown on with the trim's deflections and thrust, nothing changes but place and heading.
@@ -129,4 +129,4 @@ TEST(Trim, IsFoundOverTheWholeEnvelope) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::trim_test

@@ -5,7 +5,7 @@
 #include "skein/layer/asset/multirotor/momentum.h"
 #include "skein/layer/asset/multirotor/multirotor_plant.h"
 
-namespace skein::asset {
+namespace skein::asset::multirotor_energy_test {
 namespace {
 
 Actuators hover_throttles(const MultirotorParameters& p, const VehicleState& s) {
@@ -121,4 +121,4 @@ TEST(MultirotorPlant, AWeakBatterySlowsItsRotors) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::multirotor_energy_test

@@ -6,7 +6,7 @@
 #include "skein/base/random.h"
 #include "skein/layer/asset/multirotor/multirotor_plant.h"
 
-namespace skein::asset {
+namespace skein::asset::multirotor_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -402,4 +402,4 @@ TEST(MultirotorPlant, DescribesWhatItsAutopilotMustKnow) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::multirotor_test

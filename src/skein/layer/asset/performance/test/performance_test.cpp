@@ -7,7 +7,7 @@
 #include "skein/layer/asset/performance/performance_plant.h"
 #include "skein/model/atmosphere/atmosphere.h"
 
-namespace skein::asset {
+namespace skein::asset::performance_test {
 namespace {
 
 constexpr double kStep = 0.1;
@@ -329,4 +329,4 @@ TEST(PerformanceParameters, OneThatFliesBadlyFliesAllTheSame) {
 }
 
 }  // namespace
-}  // namespace skein::asset
+}  // namespace skein::asset::performance_test

@@ -5,7 +5,7 @@
 
 #include "skein/data/air.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::energy_control_test {
 namespace {
 
 constexpr double kStep = 0.02;
@@ -61,4 +61,4 @@ TEST(EnergyControl, ComesToSpeedAndHeightWithAWeakEngineFromAnyAirspeed) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::energy_control_test

@@ -8,7 +8,7 @@
 
 #include "skein/data/air.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::fixed_wing_control_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -322,4 +322,4 @@ TEST(FixedWingControl, StaysInRangeWhateverHappens) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::fixed_wing_control_test

@@ -7,7 +7,7 @@
 
 #include "skein/geo/vec.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::mixer_test {
 namespace {
 
 MultirotorAirframe ring(int rotors, double first) {
@@ -113,4 +113,4 @@ TEST(Mixer, StaysInRangeAndKeepsTiltWhateverIsAsked) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::mixer_test

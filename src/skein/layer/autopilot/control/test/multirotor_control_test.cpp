@@ -8,7 +8,7 @@
 
 #include "skein/data/air.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::multirotor_control_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -224,4 +224,4 @@ TEST(MultirotorControl, StaysInRangeWhateverHappensAndThenHovers) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::multirotor_control_test

@@ -7,7 +7,7 @@
 
 #include "skein/layer/autopilot/estimator/test/synthetic_flight.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::consistency_test {
 namespace {
 
 using testing::FlightPlan;
@@ -106,4 +106,4 @@ TEST(EstimatorConsistency, InWindWithTurbulenceAndWithoutSatellites) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::consistency_test

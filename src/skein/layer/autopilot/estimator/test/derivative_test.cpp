@@ -9,7 +9,7 @@
 #include "skein/layer/autopilot/estimator/observations.h"
 #include "skein/layer/autopilot/estimator/strapdown.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::derivative_test {
 namespace {
 
 constexpr auto kN = static_cast<Eigen::Index>(error::kSize);
@@ -269,4 +269,4 @@ TEST(ErrorCovariance, TurnsAndRestartsAsTheFullMatrixDoes) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::derivative_test

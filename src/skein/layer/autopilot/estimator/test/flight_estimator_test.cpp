@@ -8,7 +8,7 @@
 
 #include "skein/layer/autopilot/estimator/test/synthetic_flight.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::flight_estimator_test {
 namespace {
 
 using testing::FlightPlan;
@@ -501,4 +501,4 @@ TEST(FlightEstimator, IsSmall) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::flight_estimator_test

@@ -9,7 +9,7 @@
 #include "skein/model/path/path_geometry.h"
 #include "skein/model/path/wind_triangle.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::fixed_wing_guidance_test {
 namespace {
 
 struct Flight {
@@ -522,4 +522,4 @@ TEST(FixedWingGuidance, ThePathToACircleCountsAsNoErrorOfIt) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::fixed_wing_guidance_test

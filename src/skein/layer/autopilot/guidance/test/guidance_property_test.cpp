@@ -10,7 +10,7 @@
 #include "skein/layer/autopilot/guidance/fixed_wing_guidance.h"
 #include "skein/layer/autopilot/guidance/multirotor_guidance.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::guidance_property_test {
 namespace {
 
 // Mostly sensible, sometimes zero, huge, tiny or not a number.
@@ -174,4 +174,4 @@ TEST(GuidanceProperty, AMultirotorsDemandIsAlwaysFinite) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::guidance_property_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::autopilot {
+namespace skein::autopilot::lateral_test {
 namespace {
 
 struct Straight {
@@ -103,4 +103,4 @@ TEST(Lateral, LooksAheadAlongATurn) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::lateral_test

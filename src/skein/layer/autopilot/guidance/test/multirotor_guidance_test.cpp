@@ -8,7 +8,7 @@
 #include "skein/layer/autopilot/guidance/test/point_rotor.h"
 #include "skein/model/path/path_geometry.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::multirotor_guidance_test {
 namespace {
 
 struct Flight {
@@ -271,4 +271,4 @@ TEST(MultirotorGuidance, KeepsItsHeadingWhenAsked) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::multirotor_guidance_test

@@ -7,7 +7,7 @@
 
 #include "skein/base/math.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::unflyable_test {
 namespace {
 
 const FlightLimits kWing{20, 60, 3, 15, 25, 3};
@@ -204,4 +204,4 @@ TEST(Unflyable, WaypointsMustNotBeTooSteep) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::unflyable_test

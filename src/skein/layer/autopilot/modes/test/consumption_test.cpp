@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace skein::autopilot {
+namespace skein::autopilot::consumption_test {
 namespace {
 
 Time at(double seconds) {
@@ -64,4 +64,4 @@ TEST(Consumption, AGlideDoesNotMakeThePathHomeFree) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::consumption_test

@@ -7,7 +7,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::geofence_test {
 namespace {
 
 // A square of 1 km, positive (clockwise on the map), with a hole of 200 m in its middle.
@@ -126,4 +126,4 @@ TEST(FenceWatch, AgreesWithMeasuringAtEveryStep) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::geofence_test

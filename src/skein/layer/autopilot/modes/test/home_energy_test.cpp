@@ -6,7 +6,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::home_energy_test {
 namespace {
 
 HomeFlight flight() {
@@ -75,4 +75,4 @@ TEST(HomeNeed, CountsInCharge) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::home_energy_test

@@ -6,7 +6,7 @@
 
 #include "skein/layer/autopilot/modes/test/cockpit.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::mode_logic_test {
 namespace {
 
 TEST(ModeLogic, NothingHappensInAnHourWithoutFaults) {
@@ -397,4 +397,4 @@ TEST(FailsafeOptions, SayWhatIsWrongWithThem) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::mode_logic_test

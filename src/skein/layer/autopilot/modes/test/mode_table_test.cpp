@@ -9,7 +9,7 @@
 
 #include "skein/layer/autopilot/modes/test/cockpit.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::mode_table_test {
 namespace {
 
 constexpr double kStep = 0.01;
@@ -156,4 +156,4 @@ TEST(Feasible, CanBeFlown) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::mode_table_test

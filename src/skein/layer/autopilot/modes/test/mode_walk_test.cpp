@@ -13,7 +13,7 @@
 #include "skein/layer/autopilot/modes/mode_logic.h"
 #include "skein/layer/autopilot/modes/test/reference_model.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::mode_walk_test {
 namespace {
 
 constexpr long kStepMs = 20;
@@ -378,4 +378,4 @@ TEST(ModeWalk, AgreesWithTheReferenceWithTheDefaults) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::mode_walk_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::autopilot {
+namespace skein::autopilot::motor_watch_test {
 namespace {
 
 Time ms(int count) {
@@ -56,4 +56,4 @@ TEST(MotorWatch, AHiccupStartsTheTimeAgain) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::motor_watch_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace skein::autopilot {
+namespace skein::autopilot::land_detector_test {
 namespace {
 
 NavState moving(double time, const Vec3& v, double airspeed, double altitude) {
@@ -69,4 +69,4 @@ TEST(LandDetector, ARotorcraftIsOnTheGroundWhenItIsStillWithLittleThrust) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::land_detector_test

@@ -6,7 +6,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::autopilot {
+namespace skein::autopilot::sensor_selector_test {
 namespace {
 
 using Use = SensorSelector::Use;
@@ -74,4 +74,4 @@ TEST(SensorSelector, MissesWhatIsFittedAndWasNeverReceived) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::sensor_selector_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace skein::autopilot {
+namespace skein::autopilot::skein_autopilot_test {
 namespace {
 
 // A point in coordinated flight, fed back through the ideal navigation sensor.
@@ -473,4 +473,4 @@ TEST(SkeinAutopilot, CountsTheWholeRouteOfAReturn) {
 }
 
 }  // namespace
-}  // namespace skein::autopilot
+}  // namespace skein::autopilot::skein_autopilot_test

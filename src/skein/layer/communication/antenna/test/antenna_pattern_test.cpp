@@ -6,7 +6,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::communication {
+namespace skein::communication::antenna_pattern_test {
 namespace {
 
 // Direction in B by azimuth and elevation.
@@ -99,4 +99,4 @@ TEST(GainTable, OfOneEntryIsTheSameEverywhere) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::antenna_pattern_test

@@ -15,7 +15,7 @@
 #include "skein/layer/communication/medium/medium.h"
 #include "skein/layer/communication/propagation/path_loss.h"
 
-namespace skein::communication {
+namespace skein::communication::conservation_test {
 namespace {
 
 constexpr std::array kMethods = {AccessMethod::kDcf, AccessMethod::kTdma,
@@ -214,4 +214,4 @@ TEST(Conservation, MemoryOfADayIsThatOfAnHour) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::conservation_test

@@ -10,7 +10,7 @@
 #include "skein/layer/communication/experiment/saturated_cell.h"
 #include "skein/layer/communication/propagation/path_loss.h"
 
-namespace skein::communication {
+namespace skein::communication::network_cases_test {
 namespace {
 
 // 802.11b at 2 Mbit/s, as the profiles of the grid have it; RTS from 500 bytes on.
@@ -136,4 +136,4 @@ TEST(HiddenNetwork, TheOuterTwoDoNotHearEachOther) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::network_cases_test

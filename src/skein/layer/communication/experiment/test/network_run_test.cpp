@@ -9,7 +9,7 @@
 #include "skein/layer/communication/propagation/obstructed.h"
 #include "skein/layer/communication/propagation/path_loss.h"
 
-namespace skein::communication {
+namespace skein::communication::network_run_test {
 namespace {
 
 NetworkCase row_of(std::uint32_t count, double spacing, Time duration) {
@@ -193,4 +193,4 @@ TEST(NetworkRun, AnOpaqueObstacleSeparatesTwoOfThree) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::network_run_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace skein::communication {
+namespace skein::communication::error_model_test {
 namespace {
 
 double ratio_of(double db) {
@@ -108,4 +108,4 @@ TEST(ErrorModels, WithAThresholdAreAllOrNothing) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::error_model_test

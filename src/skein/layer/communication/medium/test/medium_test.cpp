@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace skein::communication {
+namespace skein::communication::medium_test {
 namespace {
 
 constexpr double kWaveFactor = 299'792'458 / 2e9 / (4 * geo::kPi);
@@ -337,4 +337,4 @@ TEST(Links, LookAtAntennasOnceBetweenChanges) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::medium_test

@@ -6,7 +6,7 @@
 
 #include "skein/layer/communication/medium/medium.h"
 
-namespace skein::communication {
+namespace skein::communication::power_control_test {
 namespace {
 
 constexpr double kWaveFactor = 299'792'458 / 2e9 / (4 * geo::kPi);
@@ -133,4 +133,4 @@ TEST(Medium, LowersNothingThatGoesToAll) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::power_control_test

@@ -6,7 +6,7 @@
 #include "skein/layer/communication/propagation/obstructed.h"
 #include "skein/layer/communication/propagation/path_loss.h"
 
-namespace skein::communication {
+namespace skein::communication::obstacle_test {
 namespace {
 
 Obstacle block() {
@@ -82,4 +82,4 @@ TEST(Obstructed, AnOpaqueOneLetsNothingThrough) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::obstacle_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace skein::communication {
+namespace skein::communication::path_loss_test {
 namespace {
 
 double dbm(double watts) {
@@ -95,4 +95,4 @@ TEST(FixedPower, IsTheSameEverywhere) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::path_loss_test

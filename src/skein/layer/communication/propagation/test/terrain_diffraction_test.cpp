@@ -8,7 +8,7 @@
 #include "skein/layer/communication/propagation/knife_edge.h"
 #include "skein/layer/communication/propagation/path_loss.h"
 
-namespace skein::communication {
+namespace skein::communication::terrain_diffraction_test {
 namespace {
 
 constexpr double kFrequency = 2.4e9;
@@ -174,4 +174,4 @@ TEST(TerrainDiffraction, TakesFromThePowerOfTheOpenField) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::terrain_diffraction_test

@@ -7,7 +7,7 @@
 #include "skein/layer/communication/routing/no_routing.h"
 #include "skein/role/contract/contract.h"
 
-namespace skein::communication {
+namespace skein::communication::routing_test {
 namespace {
 
 constexpr EntityId kFar{5}, kHere{0}, kNear{1}, kOther{2};
@@ -94,4 +94,4 @@ TEST(LearnedRoutes, LearnNothingFromWhomTheyHearThemselves) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::routing_test

@@ -4,7 +4,7 @@
 
 #include "skein/layer/communication/security/seal.h"
 
-namespace skein::communication {
+namespace skein::communication::attackers_test {
 namespace {
 
 constexpr NodeIndex kFirst = 5;
@@ -127,4 +127,4 @@ TEST(Attackers, AReplayerSendsOnceMoreWhatItHasHeard) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::attackers_test

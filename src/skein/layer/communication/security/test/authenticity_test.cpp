@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace skein::communication {
+namespace skein::communication::authenticity_test {
 namespace {
 
 std::vector<std::byte> bytes_of(std::string_view text) {
@@ -125,4 +125,4 @@ TEST(RefusalLog, SpeaksAtOnceAndThenOnceAMinute) {
 }
 
 }  // namespace
-}  // namespace skein::communication
+}  // namespace skein::communication::authenticity_test

@@ -8,7 +8,7 @@
 #include "skein/base/random.h"
 #include "skein/geo/clip.h"
 
-namespace skein::environment {
+namespace skein::environment::front_fire_test {
 namespace {
 
 using geo::kPi;
@@ -201,4 +201,4 @@ TEST(FrontFireOptions, RefusesImpossibleValues) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::front_fire_test

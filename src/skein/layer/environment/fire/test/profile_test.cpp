@@ -6,7 +6,7 @@
 #include "skein/layer/environment/fire/bearing_profile.h"
 #include "skein/layer/environment/fire/fuel.h"
 
-namespace skein::environment {
+namespace skein::environment::profile_test {
 namespace {
 
 using geo::kPi;
@@ -111,4 +111,4 @@ TEST(PatchyFuel, RefusesImpossibleOptions) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::profile_test

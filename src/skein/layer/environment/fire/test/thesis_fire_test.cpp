@@ -7,7 +7,7 @@
 #include "skein/geo/boundary_index.h"
 #include "skein/geo/clip.h"
 
-namespace skein::environment {
+namespace skein::environment::thesis_fire_test {
 namespace {
 
 using geo::kPi;
@@ -250,4 +250,4 @@ TEST(ThesisFireOptions, RefusesImpossibleValues) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::thesis_fire_test

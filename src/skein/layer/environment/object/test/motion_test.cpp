@@ -6,7 +6,7 @@
 #include "skein/layer/environment/object/even_motion.h"
 #include "skein/layer/environment/object/route_motion.h"
 
-namespace skein::environment {
+namespace skein::environment::motion_test {
 namespace {
 
 // Where it is at each whole second, moved in steps of `step_s`.
@@ -126,4 +126,4 @@ TEST(EvadingMotion, CalmsDownAndGoesOnFromWhereItIs) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::motion_test

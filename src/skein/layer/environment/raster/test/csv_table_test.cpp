@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::environment {
+namespace skein::environment::csv_table_test {
 namespace {
 
 TEST(CsvTable, ReadsQuotesCommentsAndBothLineEnds) {
@@ -35,4 +35,4 @@ TEST(CsvTable, RefusesWithFileAndLine) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::csv_table_test

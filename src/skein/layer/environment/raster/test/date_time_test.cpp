@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::environment {
+namespace skein::environment::date_time_test {
 namespace {
 
 double iso(const char* text) {
@@ -96,4 +96,4 @@ TEST(DateTimes, OneDateAboveTwelveShowsTheOrder) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::date_time_test

@@ -7,7 +7,7 @@
 #include "skein/layer/environment/raster/date_time.h"
 #include "skein/layer/environment/raster/test/make_raster.h"
 
-namespace skein::environment {
+namespace skein::environment::raster_test {
 namespace {
 
 using geo::LocalFrame;
@@ -298,4 +298,4 @@ TEST(RasterFile, ServesManyThreadsEachWithItsOwnObject) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::raster_test

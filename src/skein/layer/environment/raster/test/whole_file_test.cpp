@@ -4,7 +4,7 @@
 #include "skein/layer/environment/raster/raster_file.h"
 #include "skein/layer/environment/raster/test/make_raster.h"
 
-namespace skein::environment {
+namespace skein::environment::whole_file_test {
 namespace {
 
 // Two bands of a place near the equator, in any format.
@@ -239,4 +239,4 @@ TEST(WholeFile, TheNdfdForecastIsWholeAndNoPartOfItIsTaken) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::whole_file_test

@@ -6,7 +6,7 @@
 
 #include "skein/layer/environment/raster/date_time.h"
 
-namespace skein::environment {
+namespace skein::environment::fire_features_test {
 namespace {
 
 // A feature with an area, as the reader gives it.
@@ -170,4 +170,4 @@ TEST(FireFeatures, LeaveOutWhatHasNoTimeAndSaySo) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::fire_features_test

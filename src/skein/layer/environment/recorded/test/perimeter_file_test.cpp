@@ -11,7 +11,7 @@
 #include "skein/layer/environment/raster/date_time.h"
 #include "skein/layer/environment/raster/test/make_raster.h"
 
-namespace skein::environment {
+namespace skein::environment::perimeter_file_test {
 namespace {
 
 using Warnings = std::vector<std::string>;
@@ -234,4 +234,4 @@ TEST(ReadPerimeters, ATruncatedShapefileIsRefused) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::perimeter_file_test

@@ -12,7 +12,7 @@
 #include "skein/layer/environment/recorded/perimeter_file.h"
 #include "skein/layer/environment/recorded/perimeter_fire.h"
 
-namespace skein::environment {
+namespace skein::environment::recorded_fire_test {
 namespace {
 
 using geo::Region;
@@ -293,4 +293,4 @@ TEST(RecordedFire, OptionsOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::recorded_fire_test

@@ -8,7 +8,7 @@
 #include "skein/layer/environment/recorded/distance_grid.h"
 #include "skein/layer/environment/recorded/perimeter_repair.h"
 
-namespace skein::environment {
+namespace skein::environment::repair_test {
 namespace {
 
 using geo::Region;
@@ -246,4 +246,4 @@ TEST(SignedDistance, MatchesTheExactIndexEverywhere) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::repair_test

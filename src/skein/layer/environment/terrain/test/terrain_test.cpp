@@ -5,7 +5,7 @@
 #include "skein/layer/environment/terrain/raster_terrain.h"
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
 
-namespace skein::environment {
+namespace skein::environment::terrain_test {
 namespace {
 
 // The law of every terrain: gradient() is the derivative of elevation_msl().
@@ -194,4 +194,4 @@ TEST(RasterTerrain, OfAskerveinMatchesPixelsReadByHand) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::terrain_test

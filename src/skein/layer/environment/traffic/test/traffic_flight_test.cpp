@@ -13,7 +13,7 @@
 #include "skein/layer/environment/traffic/straight_flight.h"
 #include "skein/layer/environment/traffic/wandering_flight.h"
 
-namespace skein::environment {
+namespace skein::environment::traffic_flight_test {
 namespace {
 
 Time s(double seconds) {
@@ -245,4 +245,4 @@ TEST(RecordedFlight, OfOnePlaceIsThereOnceAndFastOnesDoNotJump) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::traffic_flight_test

@@ -9,7 +9,7 @@
 #include "skein/layer/environment/turbulence/dryden_turbulence.h"
 #include "skein/layer/environment/turbulence/gusts.h"
 
-namespace skein::environment {
+namespace skein::environment::turbulence_test {
 namespace {
 
 constexpr double kFoot = 0.3048;
@@ -457,4 +457,4 @@ TEST(Gusts, AddUpTheirParts) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::turbulence_test

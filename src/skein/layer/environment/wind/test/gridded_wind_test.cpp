@@ -3,7 +3,7 @@
 #include "skein/layer/environment/raster/test/make_raster.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
 
-namespace skein::environment {
+namespace skein::environment::gridded_wind_test {
 namespace {
 
 using geo::radians;
@@ -207,4 +207,4 @@ TEST(GriddedWind, NdfdForecastHasTheWindOfItsPixels) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::gridded_wind_test

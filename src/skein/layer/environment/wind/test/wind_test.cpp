@@ -3,7 +3,7 @@
 #include "skein/layer/environment/wind/series_wind.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
 
-namespace skein::environment {
+namespace skein::environment::wind_test {
 namespace {
 
 Vec2 at(const WindField& wind, double seconds) {
@@ -52,4 +52,4 @@ TEST(SeriesWind, RefusesWithFileAndLine) {
 }
 
 }  // namespace
-}  // namespace skein::environment
+}  // namespace skein::environment::wind_test

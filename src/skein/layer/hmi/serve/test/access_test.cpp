@@ -4,7 +4,7 @@
 
 #include "skein/layer/hmi/serve/message_rate.h"
 
-namespace skein::hmi {
+namespace skein::hmi::access_test {
 namespace {
 
 constexpr const char* kTokens =
@@ -91,4 +91,4 @@ TEST(MessageRate, AllowsABurstAndThenSoManyASecond) {
 }
 
 }  // namespace
-}  // namespace skein::hmi
+}  // namespace skein::hmi::access_test

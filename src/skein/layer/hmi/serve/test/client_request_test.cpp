@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::hmi {
+namespace skein::hmi::client_request_test {
 namespace {
 
 template <class What>
@@ -56,4 +56,4 @@ TEST(ClientRequest, RefusesEverythingElse) {
 }
 
 }  // namespace
-}  // namespace skein::hmi
+}  // namespace skein::hmi::client_request_test

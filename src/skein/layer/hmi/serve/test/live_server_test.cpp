@@ -6,7 +6,7 @@
 #include "skein/layer/hmi/serve/live_feed.h"
 #include "skein/layer/hmi/serve/test/live_client.h"
 
-namespace skein::hmi {
+namespace skein::hmi::live_server_test {
 namespace {
 
 constexpr const char* kTokens =
@@ -374,4 +374,4 @@ TEST(Foxglove, PagesOfOthersOnlyWatchAndOnlyWhereTheUserSaysSo) {
 }
 
 }  // namespace
-}  // namespace skein::hmi
+}  // namespace skein::hmi::live_server_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace skein::hmi {
+namespace skein::hmi::live_state_test {
 namespace {
 
 std::vector<Record> kept(const LiveState& state) {
@@ -163,4 +163,4 @@ TEST(LiveState, TruthIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace skein::hmi
+}  // namespace skein::hmi::live_state_test

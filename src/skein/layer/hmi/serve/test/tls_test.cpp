@@ -18,7 +18,7 @@
 
 #include "skein/layer/hmi/serve/web_server.h"
 
-namespace skein::hmi {
+namespace skein::hmi::tls_test {
 namespace {
 
 namespace beast = boost::beast;
@@ -160,4 +160,4 @@ TEST_F(ServedByTls, WhoSpeaksWithoutTlsOrTrustsOthersHearsNothing) {
 }
 
 }  // namespace
-}  // namespace skein::hmi
+}  // namespace skein::hmi::tls_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace skein::reasoning {
+namespace skein::reasoning::advised_pilot_test {
 namespace {
 
 FlightIntent straight(std::uint32_t number) {
@@ -120,4 +120,4 @@ TEST(AdvisedPilot, IgnoresAsOftenAsItDoesNotObey) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::advised_pilot_test

@@ -7,7 +7,7 @@
 #include "skein/base/math.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::expected_flight_test {
 namespace {
 
 class Hill final : public Terrain {
@@ -101,4 +101,4 @@ TEST(ExpectedFlight, KeepsItsHeightOverTheGround) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::expected_flight_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::flight_goal_test {
 namespace {
 
 NavEstimate north_at_20() {
@@ -53,4 +53,4 @@ TEST(FlightGoal, IsItsOwnCourseWhereItCircles) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::flight_goal_test

@@ -5,7 +5,7 @@
 #include "skein/layer/reasoning/trajectory/steering_flight.h"
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::flight_safety_test {
 namespace {
 
 // Flies north whatever comes.
@@ -74,4 +74,4 @@ TEST(FlightSafety, DoesNotTakeOffIntoAZone) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::flight_safety_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::launch_test {
 namespace {
 
 struct Harness {
@@ -63,4 +63,4 @@ TEST(Launch, InTheAirHasNothingToDo) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::launch_test

@@ -7,7 +7,7 @@
 
 #include "skein/layer/reasoning/agent/fire_readings.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::report_rate_test {
 namespace {
 
 // Aircraft that would all together like to use `demand` times what the air carries.
@@ -162,4 +162,4 @@ TEST(FireReadings, SaysWhereItHasSeenFireOnItsWay) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::report_rate_test

@@ -8,7 +8,7 @@
 #include "skein/model/path/flight_code.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::separation_planner_test {
 namespace {
 
 constexpr EntityId kOther{1}, kOwn{2};
@@ -296,4 +296,4 @@ TEST(SeparationPlanner, AManoeuvreOutOfLegsIsFlownToItsEnd) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::separation_planner_test

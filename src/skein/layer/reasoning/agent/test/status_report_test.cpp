@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace skein::reasoning {
+namespace skein::reasoning::status_report_test {
 namespace {
 
 constexpr EntityId kSelf{3}, kStation{0};
@@ -65,4 +65,4 @@ TEST(StatusReport, SaysItsLimitsUntilAnOrderShowsThatTheyArrived) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::status_report_test

@@ -4,7 +4,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::beliefs_test {
 namespace {
 
 Time at(double seconds) {
@@ -94,4 +94,4 @@ TEST(Beliefs, KeepTheNewestOfTheTeamHoweverItArrives) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::beliefs_test

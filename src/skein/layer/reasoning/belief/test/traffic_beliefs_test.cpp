@@ -8,7 +8,7 @@
 
 #include "skein/layer/reasoning/belief/beliefs.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::traffic_beliefs_test {
 namespace {
 
 Time s(double seconds) {
@@ -202,4 +202,4 @@ TEST(TrafficBeliefs, LeaveOutWhatIsNoNumberAndAnOldReport) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::traffic_beliefs_test

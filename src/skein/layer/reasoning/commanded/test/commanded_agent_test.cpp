@@ -4,7 +4,7 @@
 
 #include "skein/base/math.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::commanded_agent_test {
 namespace {
 
 class Plain : public Terrain {
@@ -169,4 +169,4 @@ TEST(CommandedAgent, LandsWhereItTookOffWithoutAPlace) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::commanded_agent_test

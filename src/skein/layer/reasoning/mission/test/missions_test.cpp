@@ -8,7 +8,7 @@
 #include "skein/layer/reasoning/mission/tasks/task_mission.h"
 #include "skein/layer/reasoning/mission/track/track_mission.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::missions_test {
 namespace {
 
 // Aircraft that obey orders at once, and say what the test has them say.
@@ -273,4 +273,4 @@ TEST(TaskMission, GivesEachTaskToTheNearestThatIsFreeAndGoesOnWhereOneWasLost) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::missions_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::heartbeat_test {
 namespace {
 
 TEST(HeartbeatSender, ReachesEachAircraftOncePerPeriodHoweverLongTheSteps) {
@@ -24,4 +24,4 @@ TEST(HeartbeatSender, ReachesEachAircraftOncePerPeriodHoweverLongTheSteps) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::heartbeat_test

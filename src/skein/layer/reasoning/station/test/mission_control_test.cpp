@@ -7,7 +7,7 @@
 #include "skein/layer/reasoning/station/ground_station.h"
 #include "skein/layer/reasoning/station/nearest_allocator.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::mission_control_test {
 namespace {
 
 // Sends every aircraft that it has to its own place, until it is told that it is done.
@@ -243,4 +243,4 @@ TEST_F(Control, NamesOfOthersBecomeTheirNumbers) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::mission_control_test

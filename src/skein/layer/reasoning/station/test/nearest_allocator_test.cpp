@@ -6,7 +6,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::nearest_allocator_test {
 namespace {
 
 using Owners = std::vector<std::optional<std::size_t>>;
@@ -97,4 +97,4 @@ TEST(NearestAllocator, KeepsItsWordForAnyNeeds) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::nearest_allocator_test

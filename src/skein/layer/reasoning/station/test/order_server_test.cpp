@@ -5,7 +5,7 @@
 #include "skein/layer/reasoning/station/ground_station.h"
 #include "skein/layer/reasoning/station/nearest_allocator.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::order_server_test {
 namespace {
 
 constexpr EntityId kFirst{1}, kSecond{2};
@@ -186,4 +186,4 @@ TEST(OrderServer, PassesOnThePositionsOfThoseThatATaskIsAbout) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::order_server_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::reading_router_test {
 namespace {
 
 FireReading at(double north, double east) {
@@ -37,4 +37,4 @@ TEST(ReadingRouter, MissionsAboutOnePerimeterShareItsReadings) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::reading_router_test

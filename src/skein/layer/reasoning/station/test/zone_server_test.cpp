@@ -7,7 +7,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::zone_server_test {
 namespace {
 
 Zone square(const std::string& name) {
@@ -175,4 +175,4 @@ TEST(ZoneServer, ALinkThatLosesMostLeavesNobodyBehind) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::zone_server_test

@@ -13,7 +13,7 @@
 #include "skein/layer/reasoning/trajectory/altitude.h"
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::onboard_tasks_test {
 namespace {
 
 constexpr EntityId kSelf{3}, kStation{0};
@@ -398,4 +398,4 @@ TEST(OnboardTask, ZonesAboveAndBelowDoNotConcernIt) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::onboard_tasks_test

@@ -6,7 +6,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::detour_planner_test {
 namespace {
 
 Zone disc(const Vec2& centre, double radius) {
@@ -159,4 +159,4 @@ TEST(DetourPlanner, PathsAreAllowedAndNoneIsShorter) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::detour_planner_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::execution_monitor_test {
 namespace {
 
 AutopilotStatus status(double time_error, double cross_track) {
@@ -58,4 +58,4 @@ TEST(ExecutionMonitor, JudgesOnlyWhatIsFollowed) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::execution_monitor_test

@@ -6,7 +6,7 @@
 
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::level_out_test {
 namespace {
 
 NavEstimate banked(double roll) {
@@ -59,4 +59,4 @@ TEST(LevelOut, ACoordinatedTurnGoesOnUntilAnOrderComes) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::level_out_test

@@ -4,7 +4,7 @@
 
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::return_planner_test {
 namespace {
 
 Zone disc(const Vec2& centre, double radius) {
@@ -107,4 +107,4 @@ TEST(ReturnPlanner, LeadsAroundAZoneAndDropsCornersThatLieBehind) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::return_planner_test

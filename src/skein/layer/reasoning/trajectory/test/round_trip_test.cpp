@@ -4,7 +4,7 @@
 
 #include "skein/layer/reasoning/trajectory/zone_monitor.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::round_trip_test {
 namespace {
 
 TEST(RoundTrip, PointsOnOneAnotherAreOne) {
@@ -61,4 +61,4 @@ TEST(ZoneMonitor, ReportsOnceWhenTheAircraftComesInAndWhenItLeaves) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::round_trip_test

@@ -8,7 +8,7 @@
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 #include "skein/model/path/plan_curve.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::route_flight_test {
 namespace {
 
 Zone disc(const std::string& name, const Vec2& centre, double radius) {
@@ -486,4 +486,4 @@ TEST(RouteFlight, AKnownZoneBesideTheRouteLeavesItAsItWasLaid) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::route_flight_test

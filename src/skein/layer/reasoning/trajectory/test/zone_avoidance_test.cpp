@@ -9,7 +9,7 @@
 #include "skein/base/random.h"
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::zone_avoidance_test {
 namespace {
 
 Zone hexagon(const Vec2& centre, double radius) {
@@ -137,4 +137,4 @@ TEST(ZoneAvoidance, LeavesAZoneThatItStartsIn) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::zone_avoidance_test

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace skein::hmi::foxglove {
+namespace skein::hmi::foxglove::protocol_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -70,4 +70,4 @@ TEST(FoxgloveProtocol, DataHasSubscriptionAndTimeBeforeIt) {
 }
 
 }  // namespace
-}  // namespace skein::hmi::foxglove
+}  // namespace skein::hmi::foxglove::protocol_test

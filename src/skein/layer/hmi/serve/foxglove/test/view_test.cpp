@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace skein::hmi::foxglove {
+namespace skein::hmi::foxglove::view_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -155,4 +155,4 @@ TEST_F(FoxgloveView, PathsLeadWhereTheAircraftExpectToFly) {
 }
 
 }  // namespace
-}  // namespace skein::hmi::foxglove
+}  // namespace skein::hmi::foxglove::view_test

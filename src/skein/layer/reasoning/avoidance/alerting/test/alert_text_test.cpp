@@ -4,7 +4,7 @@
 
 #include "skein/geo/vec.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::alert_text_test {
 namespace {
 
 TrafficAlert traffic(double bearing_deg, double distance, double height) {
@@ -50,4 +50,4 @@ TEST(AlertText, ClimbsWhereNoTrackHelpsThenChangesSpeed) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::alert_text_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace skein::reasoning {
+namespace skein::reasoning::traffic_alerting_test {
 namespace {
 
 constexpr EntityId kSelf{3};
@@ -134,4 +134,4 @@ TEST(TrafficAlerting, SaysNothingAndWorksOutNoBandsOfWhoPassesFarAway) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::traffic_alerting_test

@@ -5,7 +5,7 @@
 #include "skein/base/math.h"
 #include "skein/layer/reasoning/avoidance/meeting/test/straight_flight.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::conflicts_test {
 namespace {
 
 TeamFlight other_with(FlightPlan plan) {
@@ -70,4 +70,4 @@ TEST(ConflictFinder, TheEarliestComesFirst) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::conflicts_test

@@ -6,7 +6,7 @@
 #include "skein/model/path/flight_code.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::team_flights_test {
 namespace {
 
 constexpr EntityId kSelf{1}, kOther{2};
@@ -150,4 +150,4 @@ TEST(ExecutionErrors, BeginWideGrowAtOnceAndShrinkSlowly) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::team_flights_test

@@ -8,7 +8,7 @@
 #include "skein/layer/reasoning/avoidance/manoeuvre/said_limits.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::group_negotiation_test {
 namespace {
 
 // Members of a group and the network between them; the first one coordinates.
@@ -176,4 +176,4 @@ TEST(GroupNegotiation, WhatMakesNoSenseChangesNothing) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::group_negotiation_test

@@ -5,7 +5,7 @@
 #include "skein/layer/reasoning/avoidance/group/test/circle_of_flights.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::joint_search_test {
 namespace {
 
 constexpr std::size_t kEnough = 30000;
@@ -76,4 +76,4 @@ TEST(JointSearch, StopsWhereItMayLookNoFurther) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::joint_search_test

@@ -11,7 +11,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::landing_queue_test {
 namespace {
 
 constexpr double kStep = 0.5;      // of agents [s]
@@ -253,4 +253,4 @@ TEST(LandingQueue, WhatMakesNoSenseChangesNothing) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::landing_queue_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace skein::reasoning {
+namespace skein::reasoning::candidates_test {
 namespace {
 
 // Straight on for 300 s at 20 m/s.
@@ -64,4 +64,4 @@ TEST(Candidates, CostMoreWhereTheyMeetAThirdFlight) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::candidates_test

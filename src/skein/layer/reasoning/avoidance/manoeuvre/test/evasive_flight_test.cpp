@@ -7,7 +7,7 @@
 
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::evasive_flight_test {
 namespace {
 
 FlightPlan straight(const Vec3& from, double heading, double duration = 300) {
@@ -69,4 +69,4 @@ TEST(EvasiveFlight, IsNoneWhereGroundAndZonesLeaveNothing) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::evasive_flight_test

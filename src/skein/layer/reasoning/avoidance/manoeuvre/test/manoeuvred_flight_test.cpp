@@ -8,7 +8,7 @@
 #include "skein/layer/reasoning/planning/search/link.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::manoeuvred_flight_test {
 namespace {
 
 double number(double low, double high) {
@@ -134,4 +134,4 @@ RC_GTEST_PROP(ManoeuvredFlight, OfOneOrTheOtherSolvesAMeeting, ()) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::manoeuvred_flight_test

@@ -9,7 +9,7 @@
 #include "skein/layer/reasoning/avoidance/meeting/test/any_plan.h"
 #include "skein/layer/reasoning/avoidance/meeting/test/straight_flight.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::flight_envelope_test {
 namespace {
 
 const Separation kApart{50, 20};
@@ -62,4 +62,4 @@ TEST(FlightEnvelope, OnlyTheTimeInBothCounts) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::flight_envelope_test

@@ -6,7 +6,7 @@
 #include "skein/layer/reasoning/avoidance/meeting/test/any_plan.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::plan_meeting_test {
 namespace {
 
 const Separation kApart{50, 20};
@@ -100,4 +100,4 @@ TEST(PlanMeeting, IsTheFirstOfSeveralAndEndsWhereTheLookEnds) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::plan_meeting_test

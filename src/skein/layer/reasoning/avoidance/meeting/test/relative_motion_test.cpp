@@ -4,7 +4,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::relative_motion_test {
 namespace {
 
 const Separation kApart{50, 20};
@@ -47,4 +47,4 @@ RC_GTEST_PROP(RelativeMotion, ComesNowhereNearerThanTheClosest, ()) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::relative_motion_test

@@ -8,7 +8,7 @@
 #include "skein/base/check.h"
 #include "skein/data/describe.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::deal_test {
 namespace {
 
 constexpr DealRule kRules[] = {DealRule::kSum, DealRule::kProduct, DealRule::kZeuthen};
@@ -117,4 +117,4 @@ TEST(Deal, IsTheSameFromBothSides) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::deal_test

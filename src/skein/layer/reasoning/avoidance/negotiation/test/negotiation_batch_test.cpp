@@ -7,7 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-namespace skein::reasoning {
+namespace skein::reasoning::negotiation_batch_test {
 namespace {
 
 std::string problem_of(const std::string& text) {
@@ -78,4 +78,4 @@ TEST(NegotiationBatch, AgreesWithTheReferenceData) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::negotiation_batch_test

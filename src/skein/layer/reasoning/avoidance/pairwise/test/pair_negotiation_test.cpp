@@ -10,7 +10,7 @@
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 #include "skein/layer/reasoning/avoidance/meeting/test/straight_flight.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::pair_negotiation_test {
 namespace {
 
 // Two that fly towards each other, and what each knows of a negotiation.
@@ -245,4 +245,4 @@ TEST(PairNegotiation, OffersThatMakeNoSenseEndIt) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::pair_negotiation_test

@@ -5,7 +5,7 @@
 #include "skein/base/math.h"
 #include "skein/base/random.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::right_of_way_test {
 namespace {
 
 AirMotionState at(double north, double east, double course_deg, double speed = 20,
@@ -57,4 +57,4 @@ TEST(RightOfWay, SomebodyAlwaysActs) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::right_of_way_test

@@ -13,7 +13,7 @@
 #include "skein/model/path/flight_plan.h"
 #include "skein/role/terrain.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::separator_test {
 namespace {
 
 // Aircraft that fly their plans exactly, and a radio that loses and delays.
@@ -492,4 +492,4 @@ TEST(Separator, ManyOnACircleAreKeptApart) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::separator_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace skein::reasoning {
+namespace skein::reasoning::escape_test {
 namespace {
 
 constexpr double kNow = 40;
@@ -55,4 +55,4 @@ TEST(Escape, OfTwoStrangersNoneIsMet) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::escape_test

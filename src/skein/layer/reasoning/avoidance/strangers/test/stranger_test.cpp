@@ -8,7 +8,7 @@
 #include "skein/layer/reasoning/planning/search/airspace_map.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::stranger_test {
 namespace {
 
 FlightPlan north() {
@@ -131,4 +131,4 @@ TEST(Stranger, TheFlightAroundKeepsOutOfTheRoomThatIsChosen) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::stranger_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::yielding_test {
 namespace {
 
 constexpr EntityId kHigher{1}, kLower{2}, kThird{3};
@@ -108,4 +108,4 @@ TEST(Yielding, AnswersOfOthersAndToOtherRequestsAreNone) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::yielding_test

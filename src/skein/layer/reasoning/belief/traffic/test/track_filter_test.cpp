@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace skein::reasoning {
+namespace skein::reasoning::track_filter_test {
 namespace {
 
 // An aircraft whose velocity wanders as the filter takes it to.
@@ -104,4 +104,4 @@ TEST(TrackFilter, TakesALateMeasurementForWhatItIs) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::track_filter_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace skein::reasoning {
+namespace skein::reasoning::traffic_measurement_test {
 namespace {
 
 TEST(TrafficMeasurement, OfPolarNumbersIsWhereTheyPoint) {
@@ -65,4 +65,4 @@ TEST(TrafficMeasurement, IsUnsoundWithoutNumbersOrErrors) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::traffic_measurement_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace skein::reasoning {
+namespace skein::reasoning::traffic_tracker_test {
 namespace {
 
 Time s(double seconds) {
@@ -156,4 +156,4 @@ TEST(TrafficTracker, LeavesOutWhatCannotBeAndStaysSmall) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::traffic_tracker_test

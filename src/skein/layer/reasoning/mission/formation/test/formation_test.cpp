@@ -7,7 +7,7 @@
 #include "skein/layer/reasoning/task/follow/follow_task.h"
 #include "skein/layer/reasoning/task/route/route_task.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::formation_test {
 namespace {
 
 class Plain final : public Terrain {
@@ -322,4 +322,4 @@ TEST_F(FormationTasks, FollowingTurnsAwayFromAZone) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::formation_test

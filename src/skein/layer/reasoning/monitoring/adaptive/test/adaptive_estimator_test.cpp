@@ -7,7 +7,7 @@
 
 #include "skein/layer/reasoning/monitoring/test/weaving.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::adaptive_estimator_test {
 namespace {
 
 PerimeterPrior prior() {
@@ -96,4 +96,4 @@ TEST(Adaptive, ACloneContinuesAsTheOriginal) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::adaptive_estimator_test

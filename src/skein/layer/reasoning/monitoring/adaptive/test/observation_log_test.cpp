@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::monitoring {
+namespace skein::monitoring::observation_log_test {
 namespace {
 
 Observation reading(int second) {
@@ -23,4 +23,4 @@ TEST(ObservationLog, KeepsOrderAndCopiesGoTheirOwnWay) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::observation_log_test

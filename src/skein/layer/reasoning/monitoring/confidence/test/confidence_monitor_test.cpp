@@ -6,7 +6,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::confidence_monitor_test {
 namespace {
 
 using Verdict = ConfidenceMonitor::Verdict;
@@ -139,4 +139,4 @@ TEST(ConfidenceMonitor, WithoutABelievedBoundaryThereIsNothingToJudge) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::confidence_monitor_test

@@ -6,7 +6,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::unwatched_band_test {
 namespace {
 
 constexpr double kLength = 60000;  // of the edge [m]
@@ -83,4 +83,4 @@ TEST(UnwatchedBand, WithoutABelievedBoundaryThereIsNothingToJudge) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::unwatched_band_test

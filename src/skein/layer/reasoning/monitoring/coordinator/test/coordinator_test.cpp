@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-namespace skein::monitoring {
+namespace skein::monitoring::coordinator_test {
 namespace {
 
 // Records what it is given, in order: an estimator whose belief is its own history.
@@ -368,4 +368,4 @@ TEST(Coordinator, SendsNobodyAcrossTheBoundaryIntoAZone) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::coordinator_test

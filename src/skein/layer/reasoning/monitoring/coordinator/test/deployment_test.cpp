@@ -7,7 +7,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::deployment_test {
 namespace {
 
 // A circle whose radius is known to `sigma`.
@@ -97,4 +97,4 @@ TEST(Deployment, EntriesFollowTheShapeOfTheBoundary) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::deployment_test

@@ -6,7 +6,7 @@
 
 #include "skein/layer/reasoning/monitoring/coordinator/forecast_calibration.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::forecast_test {
 namespace {
 
 Time at(double seconds) {
@@ -133,4 +133,4 @@ TEST(ForecastCalibration, WidensForecastsThatTurnedOutTooSure) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::forecast_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace skein::monitoring {
+namespace skein::monitoring::roster_test {
 namespace {
 
 AircraftReport report(double time, bool obeys = true) {
@@ -68,4 +68,4 @@ TEST(Roster, TakesNoReportsOfOthersAndNoneThatWereOvertaken) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::roster_test

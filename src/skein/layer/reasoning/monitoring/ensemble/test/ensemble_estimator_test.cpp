@@ -5,7 +5,7 @@
 #include "skein/geo/polygon.h"
 #include "skein/layer/reasoning/monitoring/test/weaving.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::ensemble_estimator_test {
 namespace {
 
 constexpr EntityId kAircraft{1};
@@ -259,4 +259,4 @@ TEST(Ensemble, ACloneIsIndependent) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::ensemble_estimator_test

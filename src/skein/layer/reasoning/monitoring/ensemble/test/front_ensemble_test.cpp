@@ -5,7 +5,7 @@
 
 #include "skein/layer/reasoning/monitoring/ensemble/localisation.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::front_ensemble_test {
 namespace {
 
 PerimeterPrior prior() {
@@ -151,4 +151,4 @@ TEST(FrontEnsemble, APartFarAwayCoarsensTheGridBeforeItTakesMemory) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::front_ensemble_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::monitoring {
+namespace skein::monitoring::member_test {
 namespace {
 
 // A front along the east axis that moves north, with rates that grow towards the east and
@@ -40,4 +40,4 @@ TEST(Member, AHeadCarriesItsRateWithIt) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::member_test

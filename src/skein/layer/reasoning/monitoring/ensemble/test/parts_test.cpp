@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace skein::monitoring {
+namespace skein::monitoring::parts_test {
 namespace {
 
 const model::Grid kGrid{Vec2(-400, -400), 10, 81, 81};
@@ -123,4 +123,4 @@ TEST(Parts, RemnantsOfAMemberGoAndItsOwnShapeStays) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::parts_test

@@ -9,7 +9,7 @@
 #include "skein/geo/vec.h"
 #include "skein/model/probability/truncated_normal.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::boundary_filter_test {
 namespace {
 
 constexpr int kKnots = 24;
@@ -183,4 +183,4 @@ TEST(BoundaryFilter, WideningMakesAFarBoundaryPossible) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::boundary_filter_test

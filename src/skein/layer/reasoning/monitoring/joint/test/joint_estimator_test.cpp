@@ -9,7 +9,7 @@
 #include "skein/geo/polygon.h"
 #include "skein/layer/reasoning/monitoring/test/weaving.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::joint_estimator_test {
 namespace {
 
 // A fire that is a disc about the origin, watched along its edge at
@@ -355,4 +355,4 @@ TEST(JointEstimator, KeepsFiniteNumbersWhereTheWholePriorIsWrong) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::joint_estimator_test

@@ -4,7 +4,7 @@
 #include "skein/geo/vec.h"
 #include "skein/layer/reasoning/monitoring/joint/joint_estimator.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::no_allocation_test {
 namespace {
 
 TEST(JointEstimator, LearnsWithoutAllocating) {
@@ -40,4 +40,4 @@ TEST(JointEstimator, LearnsWithoutAllocating) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::no_allocation_test

@@ -7,7 +7,7 @@
 
 #include "skein/geo/vec.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::periodic_spline_test {
 namespace {
 
 double value(const PeriodicSpline& spline, const std::vector<double>& c, double bearing) {
@@ -52,4 +52,4 @@ TEST(PeriodicSpline, SlopeIsTheDerivative) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::periodic_spline_test

@@ -8,7 +8,7 @@
 #include "skein/base/random.h"
 #include "skein/model/probability/truncated_normal.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::step_likelihood_test {
 namespace {
 
 TEST(StepLikelihood, MatchesSampling) {
@@ -65,4 +65,4 @@ TEST(StepLikelihood, AFalseReadingRateKeepsAnImpossibleReadingFromMovingTheBelie
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::step_likelihood_test

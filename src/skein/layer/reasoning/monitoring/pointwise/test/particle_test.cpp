@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace skein::monitoring {
+namespace skein::monitoring::particle_test {
 namespace {
 
 model::ControlPoint prior_point() {
@@ -104,4 +104,4 @@ TEST(ParticleRule, IsAFunctionOfTheSeedAlone) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::particle_test

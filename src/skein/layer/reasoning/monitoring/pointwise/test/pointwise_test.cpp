@@ -11,7 +11,7 @@
 #include "skein/layer/reasoning/monitoring/pointwise/gaussian_rule.h"
 #include "skein/layer/reasoning/monitoring/pointwise/pointwise_kinds.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::pointwise_test {
 namespace {
 
 Time at(double seconds) {
@@ -276,4 +276,4 @@ TEST(PointwiseEstimator, RefusesOptionsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::pointwise_test

@@ -15,7 +15,7 @@
 #include "skein/layer/reasoning/monitoring/strategy/time_to_go.h"
 #include "skein/layer/reasoning/monitoring/strategy/tracking.h"
 
-namespace skein::monitoring {
+namespace skein::monitoring::strategy_test {
 namespace {
 
 // A circular belief of 60 points; point k at bearing 6 k degrees.
@@ -266,4 +266,4 @@ TEST(AllStrategies, TakeAnEmptyBoundaryAndNoAircraft) {
 }
 
 }  // namespace
-}  // namespace skein::monitoring
+}  // namespace skein::monitoring::strategy_test

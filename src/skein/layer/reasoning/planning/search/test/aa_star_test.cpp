@@ -8,7 +8,7 @@
 #include "skein/layer/reasoning/planning/search/test/scenes.h"
 #include "skein/model/connection/connection.h"
 
-namespace skein::planning {
+namespace skein::planning::aa_star_test {
 namespace {
 
 PathQuery query_over(double distance) {
@@ -418,4 +418,4 @@ TEST(AaStar, SaysWhenTheBudgetEndsBeforeAPath) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::aa_star_test

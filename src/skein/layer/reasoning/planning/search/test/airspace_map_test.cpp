@@ -6,7 +6,7 @@
 #include "skein/layer/reasoning/planning/search/test/oracle.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::planning {
+namespace skein::planning::airspace_map_test {
 namespace {
 
 using test::depth;
@@ -274,4 +274,4 @@ TEST(AirspaceMap, NamesTheNearestFreePlaceAndTime) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::airspace_map_test

@@ -9,7 +9,7 @@
 #include "skein/model/path/dubins.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::planning {
+namespace skein::planning::detours_test {
 namespace {
 
 const GroundSpeed kStill(20, Vec2(0, 0));
@@ -153,4 +153,4 @@ TEST(Links, ClimbInJustTheTimeNeeded) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::detours_test

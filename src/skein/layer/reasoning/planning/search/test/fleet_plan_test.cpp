@@ -6,7 +6,7 @@
 #include "skein/layer/reasoning/planning/search/test/oracle.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::planning {
+namespace skein::planning::fleet_plan_test {
 namespace {
 
 FleetQuery random_fleet(std::size_t count, double side, double latest) {
@@ -91,4 +91,4 @@ TEST(FleetPlan, SaysWhyOneCannotFly) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::fleet_plan_test

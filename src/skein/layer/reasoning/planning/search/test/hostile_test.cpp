@@ -11,7 +11,7 @@
 
 // Queries of anything: whatever comes in, an outcome comes out, and what is called a path
 // is one.
-namespace skein::planning {
+namespace skein::planning::hostile_test {
 namespace {
 
 class Hostile {
@@ -130,4 +130,4 @@ TEST(HostileQueries, AlwaysGetAnOutcome) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::hostile_test

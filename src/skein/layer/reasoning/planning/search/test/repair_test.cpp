@@ -8,7 +8,7 @@
 #include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::planning {
+namespace skein::planning::repair_test {
 namespace {
 
 // The query of an aircraft that has followed a plan until `time`.
@@ -142,4 +142,4 @@ TEST(Repair, FindsAPathAroundANewZoneInTheScenes) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::repair_test

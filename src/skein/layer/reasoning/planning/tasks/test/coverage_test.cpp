@@ -11,7 +11,7 @@
 #include "skein/layer/reasoning/planning/tasks/test/coverage_checks.h"
 #include "skein/layer/reasoning/planning/tasks/test/plan_checks.h"
 
-namespace skein::planning {
+namespace skein::planning::coverage_test {
 namespace {
 
 const FlightLimits kLimits{15, 40, 3, 11, 20, 3};
@@ -242,4 +242,4 @@ TEST(Coverage, IsWithinThreePerCentOfAllBearings) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::coverage_test

@@ -4,7 +4,7 @@
 #include "skein/layer/reasoning/planning/tasks/test/coverage_checks.h"
 #include "skein/layer/reasoning/planning/tasks/test/plan_checks.h"
 
-namespace skein::planning {
+namespace skein::planning::coverage_zones_test {
 namespace {
 
 CoverageQuery with_zones(int i) {
@@ -153,4 +153,4 @@ TEST(CoverageZones, ThoseOfOtherAltitudesAndTimesDoNotCount) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::coverage_zones_test

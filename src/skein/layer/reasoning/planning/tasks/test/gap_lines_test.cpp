@@ -6,7 +6,7 @@
 
 #include "skein/geo/clip.h"
 
-namespace skein::planning {
+namespace skein::planning::gap_lines_test {
 namespace {
 
 geo::Ring square(double half) {
@@ -115,4 +115,4 @@ TEST(GapLines, NoneWhereNothingIsLeft) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::gap_lines_test

@@ -13,7 +13,7 @@
 #include "skein/layer/reasoning/planning/tasks/rendezvous.h"
 #include "skein/model/path/flight_plan.h"
 
-namespace skein::planning {
+namespace skein::planning::hostile_test {
 namespace {
 
 // Mostly usual values, some odd ones.
@@ -154,4 +154,4 @@ TEST(Hostile, Rendezvous) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::hostile_test

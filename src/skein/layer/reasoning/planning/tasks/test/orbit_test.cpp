@@ -9,7 +9,7 @@
 #include "skein/layer/reasoning/planning/tasks/test/plan_checks.h"
 #include "skein/model/connection/connection.h"
 
-namespace skein::planning {
+namespace skein::planning::orbit_test {
 namespace {
 
 const FlightLimits kLimits{15, 40, 3, 11, 20, 3};
@@ -221,4 +221,4 @@ TEST(Orbit, NamesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::orbit_test

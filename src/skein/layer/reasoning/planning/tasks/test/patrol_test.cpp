@@ -8,7 +8,7 @@
 #include "skein/base/random.h"
 #include "skein/layer/reasoning/planning/tasks/test/plan_checks.h"
 
-namespace skein::planning {
+namespace skein::planning::patrol_test {
 namespace {
 
 const FlightLimits kLimits{15, 40, 3, 11, 20, 3};
@@ -167,4 +167,4 @@ TEST(Patrol, NamesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::patrol_test

@@ -8,7 +8,7 @@
 #include "skein/layer/reasoning/planning/tasks/test/plan_checks.h"
 #include "skein/layer/reasoning/planning/tasks/timed_flight.h"
 
-namespace skein::planning {
+namespace skein::planning::rendezvous_test {
 namespace {
 
 const FlightLimits kLimits{15, 40, 3, 11, 20, 3};
@@ -161,4 +161,4 @@ TEST(Rendezvous, NamesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::planning::rendezvous_test

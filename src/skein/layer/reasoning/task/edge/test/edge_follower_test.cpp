@@ -12,7 +12,7 @@
 #include "skein/geo/boundary_index.h"
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::edge_follower_test {
 namespace {
 
 geo::Ring circle_ring(double radius) {
@@ -225,4 +225,4 @@ TEST(EdgeFollower, AnIdealFinderWeavesCloselyAboutTheEdge) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::edge_follower_test

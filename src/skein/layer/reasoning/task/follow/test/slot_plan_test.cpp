@@ -6,7 +6,7 @@
 
 #include "skein/model/path/plan_curve.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::slot_plan_test {
 namespace {
 
 NavEstimate nav(double time, const Vec3& p, const Vec3& v) {
@@ -122,4 +122,4 @@ TEST(SlotPlan, LeadsBackIntoTheSlotFromBehindAheadAndBeside) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::slot_plan_test

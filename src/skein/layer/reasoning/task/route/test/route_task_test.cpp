@@ -6,7 +6,7 @@
 
 #include "skein/layer/reasoning/agent/onboard_agent.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::route_task_test {
 namespace {
 
 // A hill on the leg from the last point back to the first.
@@ -143,4 +143,4 @@ TEST(RouteTask, WhatIsPassedInAnInterruptionIsNotFlownAgain) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::route_task_test

@@ -4,7 +4,7 @@
 
 #include "skein/layer/reasoning/task/survey/survey_lines.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::survey_lines_test {
 namespace {
 
 const std::vector<Vec2> kEnds = {{0, 0}, {300, 0}, {300, 50}, {0, 50}};
@@ -46,4 +46,4 @@ TEST(SurveyLines, ThoseInAZoneComeBackWithItsEnd) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::survey_lines_test

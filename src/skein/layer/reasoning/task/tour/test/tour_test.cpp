@@ -8,7 +8,7 @@
 #include "skein/model/path/flight_plan.h"
 #include "skein/model/path/plan_curve.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::tour_test {
 namespace {
 
 const std::vector<Vec2> kTriangle = {{0, 0}, {600, 0}, {300, 500}};
@@ -184,4 +184,4 @@ TEST(TourTask, ReportsOnceThatTheWindIsTooStrongAndTriesAgain) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::tour_test

@@ -8,7 +8,7 @@
 
 #include "skein/layer/reasoning/team/allocation/search_random.h"
 
-namespace skein::allocation {
+namespace skein::allocation::auction_test {
 namespace {
 
 // Aircraft and tasks in a plane; a task is worth less the later it is reached.
@@ -245,4 +245,4 @@ TEST(Auction, TakesNoMalformedMessage) {
 }
 
 }  // namespace
-}  // namespace skein::allocation
+}  // namespace skein::allocation::auction_test

@@ -12,7 +12,7 @@
 #include "skein/layer/reasoning/team/allocation/search_random.h"
 #include "skein/layer/reasoning/team/allocation/task_satisfaction.h"
 
-namespace skein::allocation {
+namespace skein::allocation::coalitions_test {
 namespace {
 
 constexpr std::size_t kIdle = CoalitionAnswer::kIdle;
@@ -218,4 +218,4 @@ TEST(Allocation, ChangesOnlyForMoreThanFivePercent) {
 }
 
 }  // namespace
-}  // namespace skein::allocation
+}  // namespace skein::allocation::coalitions_test

@@ -12,7 +12,7 @@
 #include "skein/layer/reasoning/team/allocation/sequence_orders.h"
 #include "skein/layer/reasoning/team/allocation/sequence_subsets.h"
 
-namespace skein::allocation {
+namespace skein::allocation::sequences_test {
 namespace {
 
 using Kind = TaskRelation::Kind;
@@ -246,4 +246,4 @@ TEST(Sequences, RefuseWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace skein::allocation
+}  // namespace skein::allocation::sequences_test

@@ -10,7 +10,7 @@
 #include "skein/layer/reasoning/team/allocation/tour_bound.h"
 #include "skein/layer/reasoning/team/allocation/tour_state.h"
 
-namespace skein::allocation {
+namespace skein::allocation::tours_test {
 namespace {
 
 TourProblem random_tours(std::uint64_t seed, std::size_t places, std::size_t tours,
@@ -157,4 +157,4 @@ TEST(TourBound, IsNearTheShortestTour) {
 }
 
 }  // namespace
-}  // namespace skein::allocation
+}  // namespace skein::allocation::tours_test

@@ -4,7 +4,7 @@
 
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::coalition_allocation_test {
 namespace {
 
 TeamWorker worker(std::uint32_t id, const Vec2& place, std::uint32_t sensors = 0) {
@@ -122,4 +122,4 @@ TEST(CoalitionAllocation, WhoWaitsForItsOrderKeepsWhatItWasGiven) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::coalition_allocation_test

@@ -4,7 +4,7 @@
 
 #include "skein/layer/reasoning/team/onboard/packed_task.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::task_needs_test {
 namespace {
 
 TEST(TimeInWind, IsThatOfTheGroundSpeedAlongTheLeg) {
@@ -58,4 +58,4 @@ TEST(TeamTask, CarriesWhatIsFlown) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::task_needs_test

@@ -5,7 +5,7 @@
 
 #include "skein/layer/reasoning/team/onboard/test/air_team.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::team_approval_test {
 namespace {
 
 constexpr auto kApprove = AllocationAction::kApprove;
@@ -230,4 +230,4 @@ TEST(TeamApproval, OnlyTheStationMayDecideAndOnlyAMasterPropose) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::team_approval_test

@@ -4,7 +4,7 @@
 
 #include "skein/layer/reasoning/team/onboard/test/random_team.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::team_model_test {
 namespace {
 
 constexpr int kChapters = 12;  // each with some changes, and then quiet
@@ -58,4 +58,4 @@ TEST(TeamModel, EachHasATaskWhereTheStationLeads) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::team_model_test

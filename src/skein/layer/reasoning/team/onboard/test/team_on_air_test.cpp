@@ -5,7 +5,7 @@
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
 #include "skein/layer/reasoning/team/onboard/test/air_team.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::team_on_air_test {
 namespace {
 
 std::vector<WantedTask> measurements(int count) {
@@ -207,4 +207,4 @@ TEST(TeamOnAir, TasksThatReachedNobodyAreThereWhenTheStationLeadsAgain) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::team_on_air_test

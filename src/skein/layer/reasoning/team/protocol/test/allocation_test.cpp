@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::allocation_test {
 namespace {
 
 TeamTask task(std::uint32_t number, double north, bool single = true) {
@@ -59,4 +59,4 @@ TEST(TeamAllocation, DividesByTheSizesOfTeams) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::allocation_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::auction_test {
 namespace {
 
 TEST(Auction, EndsWithoutConflictAndGivesAllThatCanBeGiven) {
@@ -68,4 +68,4 @@ TEST(Auction, WhoBeganAnewOutdatesWhatItBidBefore) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::auction_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace skein::reasoning {
+namespace skein::reasoning::contacts_test {
 namespace {
 
 constexpr EntityId kSelf{1}, kOther{2};
@@ -169,4 +169,4 @@ TEST(TeamContacts, WhatIsSaidToOneIsLateAlthoughNothingWasSaidToItForLong) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::contacts_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::knowledge_test {
 namespace {
 
 constexpr EntityId kLow{2}, kHigh{6};
@@ -85,4 +85,4 @@ TEST(TeamKnowledge, ATaskThatTwoBranchesClaimIsThatOfTheLower) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::knowledge_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::orders_test {
 namespace {
 
 constexpr EntityId kMaster{1}, kA{2}, kB{3};
@@ -107,4 +107,4 @@ TEST(TeamOrders, WhoLeadsAgainDoesNotBeginWhatItHadThen) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::orders_test

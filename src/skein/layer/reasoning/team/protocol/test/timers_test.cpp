@@ -4,7 +4,7 @@
 
 #include "skein/base/random.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::timers_test {
 namespace {
 
 TEST(TeamTimers, WaitLongerTheMoreIsLost) {
@@ -41,4 +41,4 @@ TEST(TeamTimers, MeasureTheLoss) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::timers_test

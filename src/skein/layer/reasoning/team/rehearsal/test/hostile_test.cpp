@@ -3,7 +3,7 @@
 
 #include "skein/layer/reasoning/team/rehearsal/test/small_team.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::hostile_test {
 namespace {
 
 // A follower, 4, of master 2, and one that forges messages to it.
@@ -129,4 +129,4 @@ TEST(HostileTeam, GoesOnWithTwoMembersOfOneId) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::hostile_test

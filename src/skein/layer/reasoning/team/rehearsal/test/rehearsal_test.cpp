@@ -8,7 +8,7 @@
 
 #include "skein/layer/reasoning/team/rehearsal/expected_teams.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::rehearsal_test {
 namespace {
 
 std::vector<TeamScript> reference_scripts() {
@@ -117,4 +117,4 @@ TEST(TeamRehearsal, WorksWithEightSecondsOfDelay) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::rehearsal_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace skein::reasoning {
+namespace skein::reasoning::script_test {
 namespace {
 
 std::string script_with(const std::string& events, const std::string& more = "") {
@@ -56,4 +56,4 @@ TEST(TeamScripts, AreRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::script_test

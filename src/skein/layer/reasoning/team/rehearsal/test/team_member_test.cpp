@@ -4,7 +4,7 @@
 
 #include "skein/layer/reasoning/team/rehearsal/test/small_team.h"
 
-namespace skein::reasoning {
+namespace skein::reasoning::team_member_test {
 namespace {
 
 using Masters = std::map<std::uint32_t, std::uint32_t>;
@@ -353,4 +353,4 @@ TEST(TeamMember, AStationFollowsTheBranchThatItReceives) {
 }
 
 }  // namespace
-}  // namespace skein::reasoning
+}  // namespace skein::reasoning::team_member_test
