@@ -193,11 +193,13 @@ std::string avoidance_csv(const AvoidanceStudy& study, const StudyPlan& plan,
                                  "worst_extra_time_s",
                                  "conflicts",
                                  "deals",
-                                 "decision_ms_per_s"};
+                                 "decision_ms_per_s",
+                                 "cost_s"};
   std::string text =
       "case,method,min_ratio,min_horizontal_m,violations,nmac,lowc,extra_time_s,"
       "extra_percent,arrived,messages,bytes,worst_decision_ms,least_fixed_before_s,"
-      "worst_extra_percent,worst_extra_time_s,conflicts,deals,decision_ms_per_s\n";
+      "worst_extra_percent,worst_extra_time_s,conflicts,deals,decision_ms_per_s,"
+      "cost_s\n";
   for (std::size_t k = 0; k < plan.items.size(); ++k) {
     if (!outcomes[k].summary) continue;
     text += plan.items[k].name + "," + study.method;

@@ -48,7 +48,9 @@ Separation separation_of(const AvoidanceStudy& study, const AvoidanceCase& flown
 /// nmac, lowc (pairs of aircraft), extra_time_s, extra_percent (mean over those that
 /// arrived), arrived, messages, bytes, worst_decision_ms,
 /// least_fixed_before_s, worst_extra_percent, worst_extra_time_s, conflicts, deals,
-/// decision_ms_per_s (of all that an aircraft thinks, for each second that it flies).
+/// decision_ms_per_s (of all that an aircraft thinks, for each second that it flies),
+/// cost_s (mean of what manoeuvres cost as flown: how much earlier or later, and 0.05 s for
+/// each metre climbed or descended).
 std::string avoidance_csv(const AvoidanceStudy& study, const StudyPlan& plan,
                           const std::vector<BatchOutcome>& outcomes);
 

@@ -7,6 +7,7 @@ namespace skein::campaign {
 namespace {
 
 constexpr std::uint32_t kFirstStranger = 1U << 30;
+constexpr double kCostOfClimb = 0.05;  // as manoeuvres count it [s/m]
 constexpr double kReached = 150;  // who passes its goal so near has arrived [m]
 
 }  // namespace
@@ -72,6 +73,7 @@ bool AvoidanceWatch::arrives(Flying& flying, Time time, const Vec3& p_N) {
     flying.arrived = flying.last_time.seconds() +
                      share * (time.seconds() - flying.last_time.seconds());
   }
+  if (flying.seen) flying.climbed += std::abs(p_N.z() - flying.last.z());
   flying.seen = true;
   flying.last = p_N;
   flying.last_time = time;
@@ -105,7 +107,7 @@ std::vector<CommandRecord> AvoidanceWatch::commands() {
 
 void AvoidanceWatch::add_figures(std::map<std::string, double>& figures) {
   meter_.finish();
-  double arrived = 0, extra = 0, percent = 0, worst = 0, worst_time = 0;
+  double arrived = 0, extra = 0, percent = 0, worst = 0, worst_time = 0, cost = 0;
   for (const Flying& flying : flying_) {
     if (flying.arrived < 0) continue;
     const double nominal = undisturbed_time(flying.aircraft, wind_);
@@ -114,6 +116,9 @@ void AvoidanceWatch::add_figures(std::map<std::string, double>& figures) {
     percent += 100 * (flying.arrived - nominal) / nominal;
     worst = std::max(worst, 100 * (flying.arrived - nominal) / nominal);
     worst_time = std::max(worst_time, flying.arrived - nominal);
+    const double needed = std::abs(flying.aircraft.goal.z() - flying.aircraft.start.z());
+    cost += std::abs(flying.arrived - nominal) +
+            kCostOfClimb * std::max(0.0, flying.climbed - needed);
   }
   figures["min_ratio"] = meter_.min_ratio();
   figures["min_horizontal_m"] = meter_.min_horizontal();
@@ -126,6 +131,7 @@ void AvoidanceWatch::add_figures(std::map<std::string, double>& figures) {
     figures["extra_percent"] = percent / arrived;
     figures["worst_extra_percent"] = worst;
     figures["worst_extra_time_s"] = worst_time;
+    figures["cost_s"] = cost / arrived;
   }
   figures["avoidance_messages"] = messages_;
   figures["avoidance_bytes"] = bytes_;

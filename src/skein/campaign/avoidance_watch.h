@@ -38,6 +38,7 @@ class AvoidanceWatch final : public Recorder, public OperatorConsole {
     Vec3 last = Vec3::Zero();
     Time last_time;
     double arrived = -1;  // [s]
+    double climbed = 0;   // up and down [m]
     bool seen = false;
   };
   void take(const TruthRecord& truth);

@@ -181,31 +181,73 @@ class JointSearch {
     return false;
   }
 
-  bool is_apart(std::size_t who, std::size_t choice) {
+  // Whether a choice is apart from what all others have chosen, but one.
+  bool is_apart(std::size_t who, std::size_t choice, std::size_t but) {
     for (std::size_t k = 0; k < size(); ++k)
-      if (k != who && meeting(who, choice, k, chosen_[k])) return false;
+      if (k != who && k != but && meeting(who, choice, k, chosen_[k])) return false;
     return true;
   }
 
-  // Each takes what is cheapest as the others fly, until none changes.
+  double cost(std::size_t who, std::size_t choice) const {
+    return pools_[who][choice].cost;
+  }
+
+  // The choices of a member that cost less than a limit, the cheapest first.
+  std::vector<std::size_t> cheaper(std::size_t who, double limit) const {
+    std::vector<std::size_t> all(pools_[who].size());
+    std::iota(all.begin(), all.end(), 0U);
+    std::erase_if(all, [&](std::size_t a) { return cost(who, a) >= limit; });
+    std::ranges::stable_sort(all, {}, [&](std::size_t a) { return cost(who, a); });
+    return all;
+  }
+
+  // A member takes what is cheapest as the others fly.
+  bool improve_one(std::size_t who) {
+    for (const std::size_t a : cheaper(who, cost(who, chosen_[who]) - kMinGain)) {
+      if (left_ == 0) return false;
+      if (!is_apart(who, a, who)) continue;
+      chosen_[who] = a;
+      return true;
+    }
+    return false;
+  }
+
+  // Two take together what is cheapest as the others fly.
+  bool improve_two(std::size_t i, std::size_t j) {
+    const double limit = cost(i, chosen_[i]) + cost(j, chosen_[j]) - kMinGain;
+    std::vector<std::size_t> of_i = cheaper(i, limit), of_j = cheaper(j, limit);
+    std::erase_if(of_i, [&](std::size_t a) { return !is_apart(i, a, j); });
+    std::erase_if(of_j, [&](std::size_t b) { return !is_apart(j, b, i); });
+    std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+    for (const std::size_t a : of_i)
+      for (const std::size_t b : of_j)
+        if (cost(i, a) + cost(j, b) < limit)
+          pairs.emplace_back(cost(i, a) + cost(j, b), a, b);
+    std::ranges::sort(pairs);
+    for (const auto& [sum, a, b] : pairs) {
+      if (left_ == 0) return false;
+      if (meeting(i, a, j, b)) continue;
+      chosen_[i] = a;
+      chosen_[j] = b;
+      return true;
+    }
+    return false;
+  }
+
+  bool improve_any() {
+    bool changed = false;
+    for (std::size_t i = 0; i < size() && left_ > 0; ++i) changed |= improve_one(i);
+    if (changed) return true;
+    for (std::size_t i = 0; i < size() && left_ > 0; ++i)
+      for (std::size_t j = i + 1; j < size() && left_ > 0; ++j)
+        if (improve_two(i, j)) return true;
+    return false;
+  }
+
+  // One member, else two, take what is cheaper as the others fly, until nothing changes.
   void improve() {
     chosen_ = best_;
-    bool changed = true;
-    while (changed && left_ > 0) {
-      changed = false;
-      for (std::size_t i = 0; i < size() && left_ > 0; ++i) {
-        std::vector<std::size_t> order(pools_[i].size());
-        std::iota(order.begin(), order.end(), 0U);
-        std::ranges::stable_sort(order, {},
-                                 [&](std::size_t a) { return pools_[i][a].cost; });
-        for (const std::size_t a : order) {
-          if (pools_[i][a].cost > pools_[i][chosen_[i]].cost - kMinGain) break;
-          if (!is_apart(i, a)) continue;
-          chosen_[i] = a;
-          changed = true;
-          break;
-        }
-      }
+    while (left_ > 0 && improve_any()) {
     }
     note();
   }

@@ -41,9 +41,9 @@ struct JointSolution {
 ///
 /// All go on at first. Then again and again the earliest conflict is solved: of all pairs
 /// of what its two members can do, by itself and with what the others have chosen so far,
-/// the cheapest one that is apart. Once all are apart each member in turn takes the
-/// cheapest of what it was found to be able to do that keeps all apart, until none
-/// changes. The same input gives the same answer.
+/// the cheapest one that is apart. Once all are apart each member in turn, and then each
+/// two together, take the cheapest of what they were found to be able to do that keeps
+/// all apart, until nothing changes. The same input gives the same answer.
 ///
 /// A* over joint states without a lower bound of what is to come, as [Sislak11] has it,
 /// does not end within the time for more than a few members.

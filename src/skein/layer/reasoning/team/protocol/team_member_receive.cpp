@@ -81,8 +81,13 @@ void TeamMember::on(EntityId from, const TeamInform& inform) {
   if (takes_part_in_auction()) take_progress(inform);
 }
 
-void TeamMember::on(EntityId from, const TeamHere&) {
+void TeamMember::on(EntityId from, const TeamHere& here) {
   const auto* contact = contacts_.find(from);
+  // The master follows somebody else, and all that said so in full was lost.
+  const bool follows = contact && contact->leads && here.master && *here.master != from &&
+                       *here.master != self_;
+  if (follows && role_ == Role::kFollowing && from == master_)
+    return follow(*here.master, TeamReason::kMerged);
   if (contact && !contact->leads && contact->informed == now_) on(from, contact->inform);
 }
 
