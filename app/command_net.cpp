@@ -24,8 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kNetExamples = R"(
-Nodes: columns node, time_s, x_m, y_m, z_m[, power_dbm], or an ns-2 movement file (.ns2 or
-.tcl). Traffic: message, time_s, from, to (a node or *), bytes. docs/network.md has the
+Nodes: columns node, time_s, x_m, y_m, z_m[, power_dbm], or an ns-2 movement file. Traffic: message, time_s, from, to (a node or *), bytes. docs/network.md has the
 columns of what is written, and what radios there are.
 
 Examples:
@@ -41,13 +40,40 @@ struct NetArguments {
   std::uint64_t seed = 1;
 };
 
+// Commands of Tcl and its comments; a table begins with the names of its columns.
+bool is_ns2_movement(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return false;
+  const std::string_view begin = text.substr(first);
+  return begin.starts_with('$') || begin.starts_with('#') || begin.starts_with("set ");
+}
+
+// What is written may be no other file of the command.
+Result<void> check_distinct(const NetArguments& given) {
+  std::vector<fs::path> others;
+  for (const std::string& file : {given.nodes, given.traffic, given.profile})
+    if (!file.empty()) others.emplace_back(file);
+  for (const std::string& file : {given.out, given.trace, given.report}) {
+    std::error_code none;
+    if (file.empty() || (fs::exists(file, none) && !fs::is_regular_file(file, none)))
+      continue;
+    for (const fs::path& other : others)
+      if (fs::weakly_canonical(file, none) == fs::weakly_canonical(other, none))
+        return Error{ErrorCode::kBadInput, file,
+                     "is read or written under another option too.",
+                     "Give --out, --trace and --report files of their own."};
+    others.emplace_back(file);
+  }
+  return {};
+}
+
 Result<NetworkCase> read_case(const NetArguments& given) {
   NetworkCase network;
   std::string text;
   if (auto good = read_text(given.nodes, text); !good) return good.error();
-  const bool is_ns2 = given.nodes.ends_with(".ns2") || given.nodes.ends_with(".tcl");
-  auto good = is_ns2 ? exchange::read_ns2_movement(text, given.nodes, network)
-                     : exchange::read_network_nodes(text, given.nodes, network);
+  auto good = is_ns2_movement(text)
+                  ? exchange::read_ns2_movement(text, given.nodes, network)
+                  : exchange::read_network_nodes(text, given.nodes, network);
   if (!good) return good.error();
   if (!given.traffic.empty()) {
     if (good = read_text(given.traffic, text); !good) return good.error();
@@ -91,6 +117,7 @@ std::optional<assemble::RadioParts> radio_parts_of(
 }
 
 int net_command(const NetArguments& given, const std::atomic<bool>& stop) {
+  if (auto good = check_distinct(given); !good) return say_error(good.error());
   auto read = read_case(given);
   if (!read) return say_error(read.error());
   NetworkCase& network = read.value();

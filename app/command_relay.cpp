@@ -150,15 +150,17 @@ int relay_command(const RelayArguments& given, const std::atomic<bool>& stop) {
   }
   complain("waiting at {}\n", relay.place());
 
-  Time next_row = kEvery;
+  Time next_row = kEvery, written = Time::from_ns(-1);
   while (!stop && (given.duration <= 0 || relay.now().seconds() < given.duration)) {
     relay.run_for(kRelayTurn);
     for (const std::string& line : orders.take()) obey(line, tcp, relay);
     if (relay.now() < next_row) continue;
     next_row += kEvery;
+    written = relay.now();
     if (auto good = statistics.write(relay); !good) return say_error(good.error());
   }
-  if (auto good = statistics.write(relay); !good) return say_error(good.error());
+  if (relay.now() > written)
+    if (auto good = statistics.write(relay); !good) return say_error(good.error());
   print("{}", relay_table(relay.report()));
   return kDone;
 }

@@ -89,6 +89,8 @@ void print_table(const record::RunSummary& summary) {
       {"observations", "observations"},
       {"crossings", "crossings"},
       {"messages_lost", "messages lost"},
+      {"messages_forged", "messages that attackers sent in others' names"},
+      {"messages_forged_accepted", "and that were taken for theirs"},
       {"aircraft_landed", "aircraft that have landed"},
       {"accidents", "accidents"},
       {"failsafes", "failsafes"},

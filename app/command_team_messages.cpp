@@ -16,11 +16,13 @@ namespace {
 constexpr const char* kMessagesExamples = R"(
 Examples:
   skein team messages runs/message-load
-  skein team messages runs/message-load --at 0=registration 30=survey --out load.csv)";
+  skein team messages runs/message-load --at 0=registration 30=survey --out load.csv
+  skein team messages runs/message-load --every 10 --header 42 --out load.csv)";
 
 struct MessagesArguments {
   std::filesystem::path run, out;
   std::vector<std::string> at;
+  double every = 0;  // [s]; 0: not cut evenly
   std::uint32_t header = record::kFrameBytes;
 };
 
@@ -49,6 +51,9 @@ int messages_command(const MessagesArguments& given) {
   }
   const auto run = record::read_sent_messages(given.run);
   if (!run) return say_error(run.error());
+  if (given.every > 0)
+    for (double from = 0; from < run.value().duration; from += given.every)
+      starts.emplace_back(fmt::format("{:g} s", from), from);
   auto phases = record::load_phases(starts, run.value().duration);
   if (!phases) return say_error(phases.error());
   record::MessageLoad load(std::move(phases).value(), given.header);
@@ -73,9 +78,14 @@ Command add_team_messages(CLI::App& team, const std::atomic<bool>&) {
   command->add_option("--at", given->at,
                       "Times in seconds at which phases begin, such as 30 or 30=survey.");
   command
+      ->add_option("--every", given->every,
+                   "Instead: phases of so many seconds, for bytes/s against time.")
+      ->check(CLI::Range(1.0, 1e6))
+      ->excludes("--at");
+  command
       ->add_option("--header", given->header,
                    "Bytes that each message has besides its wire form; default 18, an "
-                   "XBee modem's frame.")
+                   "XBee modem's frame. Authenticated ones have 24 more.")
       ->check(CLI::Range(0, 1000));
   command->add_option("--out", given->out,
                       "CSV: phase, from_s, until_s, entity, kind, messages, bytes, "

@@ -317,7 +317,7 @@ export const T = {
     cell: (from: string, to: string, share: string, rssi: string, delay: string) => `${from} to ${to}: ${share} arrived, ${rssi}, delay ${delay}`,
     worst: "Weakest links",
     many: (n: number) => `The ${n} entities with the most traffic are shown.`,
-    legend: { good: "95 % and more", fair: "70 to 95 %", poor: "less" } as Record<string, string>,
+    legend: { good: "95 % and more", fair: "70 to 95 %", poor: "less", silent: "heard, nothing said" } as Record<string, string>,
     columns: { link: "Link", share: "Arrived", level: "Level", delay: "Delay" },
   },
   instructor: {

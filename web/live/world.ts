@@ -25,8 +25,8 @@ export interface Link {
   from: number;
   to: number;
   last: RadioLink;
-  /** Share that arrived, smoothed over the last reports. */
-  quality: number;
+  /** Share that arrived, smoothed over the last reports; null: nothing was sent yet. */
+  quality: number | null;
 }
 
 /** A path that is recommended to the pilot of an aircraft. */
@@ -271,10 +271,10 @@ export class World {
 
   private addLink(record: RadioLink): void {
     const key = `${record.from_id} ${record.to_id}`, all = record.arrived + record.lost;
-    const now = all > 0 ? record.arrived / all : 0, known = this.links.get(key);
+    const now = all > 0 ? record.arrived / all : null, known = this.links.get(key);
     if (known) {
       known.last = record;
-      if (all > 0) known.quality += 0.3 * (now - known.quality);
+      if (now !== null) known.quality = known.quality === null ? now : known.quality + 0.3 * (now - known.quality);
     } else {
       this.links.set(key, { from: record.from_id, to: record.to_id, last: record, quality: now });
     }

@@ -63,7 +63,7 @@ export interface RunData {
     series: { name: string; text: string; time_s: Packed; values: Packed }[]; // float32
     texts: Record<string, string>;
   };
-  messages: { bin_s: number; sent: number[]; lost: number[] };
+  messages: { bin_s: number; sent: number[]; lost: number[]; bytes: Record<string, number[]> };
   /** Of a run whose radio has a medium: load of the air over time (float32), radios, links. */
   radio: {
     time_s: Packed;

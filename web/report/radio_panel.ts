@@ -53,11 +53,12 @@ function linkMatrix(run: RunData, names: Map<number, string>): HTMLElement {
   const cell = (row: number, column: number) => {
     const link = byPair.get(`${row} ${column}`);
     if (!link) return h("td", {}, "");
-    const share = link.arrived / Math.max(1, link.arrived + link.lost);
+    const all = link.arrived + link.lost, share = link.arrived / all;
     const level = link.rssi_dbm == null ? "" : `, ${number(link.rssi_dbm, 3)} dBm, SINR ${number(link.sinr_db, 3)} dB`;
     const delay = link.delay_s == null ? "" : `, after ${number(1000 * link.delay_s, 3)} ms`;
+    if (all === 0) return h("td", { class: "silent", title: `${nameOf(row)} to ${nameOf(column)}: heard, nothing said${level}` }, "–");
     return h("td", { style: `--share: ${share.toFixed(3)}`,
-      title: `${nameOf(row)} to ${nameOf(column)}: ${link.arrived} of ${link.arrived + link.lost} messages${delay}${level}` },
+      title: `${nameOf(row)} to ${nameOf(column)}: ${link.arrived} of ${all} messages${delay}${level}` },
       `${Math.round(100 * share)}`);
   };
   return h("div", { class: "scroll" }, h("table", { class: "link-matrix" },

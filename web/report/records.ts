@@ -1492,7 +1492,7 @@ export interface Radio {
   received: number; // packets that arrived for it
 }
 
-/** How well one radio heard another since the last such time; only if it sent to it. */
+/** How well one radio heard another since the last such time, also what was not for it; arrived and lost are 0 where nothing was. */
 export interface RadioLink {
   time_s: number; // the end
   from_id: number; // who sent

@@ -53,6 +53,29 @@ function lines(runs: RunData[], columns: [string, string][]): Line[] {
   }));
 }
 
+const kKindsShown = 6;
+
+/** Bytes/s that all together send: by kind of message of one run, in sum of several. */
+function byteLines(runs: RunData[]): Line[] {
+  const sumOf = (all: number[][], bins: number) => Array.from({ length: bins }, (_, i) => all.reduce((sum, each) => sum + each[i], 0));
+  return runs.flatMap((run, r) => {
+    const bins = run.messages.sent.length, total = (values: number[]) => values.reduce((a, b) => a + b, 0);
+    const kinds = Object.entries(run.messages.bytes).sort((a, b) => total(b[1]) - total(a[1]));
+    if (kinds.length === 0) return [];
+    const rest = kinds.slice(kKindsShown).map(([, bytes]) => bytes);
+    const shown: [string, number[]][] = runs.length > 1 ? [[run.label, sumOf(kinds.map(([, bytes]) => bytes), bins)]]
+      : [...kinds.slice(0, kKindsShown), ...(rest.length > 0 ? [["all others", sumOf(rest, bins)] as [string, number[]]] : [])];
+    return shown.map(([name, bytes], k) => ({
+      name, x: bytes.map((_, i) => (i + 0.5) * run.messages.bin_s),
+      y: bytes.map((sum, i) => {
+        const left = run.duration_s - i * run.messages.bin_s; // the last bin may be short
+        return left > 0 ? sum / Math.min(run.messages.bin_s, left) : null;
+      }),
+      colour: (runs.length === 1 ? k : r) % 8, dash: dashOf(r, false),
+    }));
+  });
+}
+
 function messageLines(runs: RunData[]): Line[] {
   return runs.flatMap((run, r) => (["sent", "lost"] as const).map((kind, k) => ({
     name: runs.length === 1 ? kind : `${run.label}: ${kind}`,
@@ -125,6 +148,8 @@ function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
     ...missionCharts(runs).map(make),
     ...(runs.length === 1 ? flightCharts(runs[0]).map(make) : []),
     make({ title: "Messages per minute", lines: messageLines(runs) }),
+    make({ title: "Bytes sent", unit: "B/s", note: "of all together, in the wire form; what goes to everyone counts once",
+      lines: byteLines(runs) }),
     make({ title: "Load of the air", note: "share of the time in which radios sent or heard others", range: [0, 1.02],
       lines: loadLines(runs) }),
   ].flat();

@@ -49,8 +49,8 @@ Separation separation_of(const AvoidanceStudy& study, const AvoidanceCase& flown
 /// arrived), arrived, messages, bytes, worst_decision_ms,
 /// least_fixed_before_s, worst_extra_percent, worst_extra_time_s, conflicts, deals,
 /// decision_ms_per_s (of all that an aircraft thinks, for each second that it flies),
-/// cost_s (mean of what manoeuvres cost as flown: how much earlier or later, and 0.05 s for
-/// each metre climbed or descended).
+/// cost_s (mean of what manoeuvres cost as flown: how much earlier or later, and 0.05 s
+/// for each metre climbed or descended).
 std::string avoidance_csv(const AvoidanceStudy& study, const StudyPlan& plan,
                           const std::vector<BatchOutcome>& outcomes);
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t kFirstStranger = 1U << 30;
 constexpr double kCostOfClimb = 0.05;  // as manoeuvres count it [s/m]
-constexpr double kReached = 150;  // who passes its goal so near has arrived [m]
+constexpr double kReached = 150;       // who passes its goal so near has arrived [m]
 
 }  // namespace
 

@@ -405,10 +405,12 @@ struct LinkUseRecord {
 
 constexpr auto describe(const LinkUseRecord*) {
   using T = LinkUseRecord;
-  return described<T>(
-      {"radio_link", "radio_links"},
-      "How well one radio heard another since the last such time; only if it sent to it.",
-      field("time", &T::time, "the end"), field("", &T::use, "who heard whom, and how"));
+  return described<T>({"radio_link", "radio_links"},
+                      "How well one radio heard another since the last such time, also "
+                      "what was not for it; "
+                      "arrived and lost are 0 where nothing was.",
+                      field("time", &T::time, "the end"),
+                      field("", &T::use, "who heard whom, and how"));
 }
 
 /// How an aircraft expects to fly: recorded when that changes.

@@ -122,8 +122,11 @@ std::string network_summary_text(const NetworkSummary& s) {
       "up, {} too old, {} pending\n",
       s.sent, s.delivered, s.queue_full, s.given_up, s.expired, s.pending);
   if (s.too_long > 0)
-    fmt::format_to(out, "too long    {} messages, broadcasts too: no slot holds them\n",
-                   s.too_long);
+    fmt::format_to(
+        out,
+        "too long    {} messages, unicast ones among those given up: no slot holds "
+        "them\n",
+        s.too_long);
   fmt::format_to(out, "loss        {:.3f} %\n", 100 * s.loss_ratio);
   if (s.delays.empty())
     text += "delay       -\n";

@@ -14,11 +14,13 @@ std::size_t place_of(LossCause cause) {
 }  // namespace
 
 void RadioStatistics::message(LossCause cause, std::uint32_t hops, bool forged) {
+  if (forged) {
+    ++forged_;
+    if (cause == LossCause::kNone) ++accepted_;
+    return;
+  }
   ++messages_[place_of(cause)];
   if (cause == LossCause::kNone && hops > 0) ++relayed_;
-  if (!forged) return;
-  ++forged_;
-  if (cause == LossCause::kNone) ++accepted_;
 }
 
 void RadioStatistics::radio(const RadioUseRecord& record) {

@@ -30,11 +30,17 @@ Result<void> read_messages(Sqlite& database, RadioStatistics& statistics,
   run.messages_lost.assign(bins, 0);
   std::string unknown;
   auto done = for_each_row(
-      database, "SELECT sent_s, cause, hops, forged FROM messages",
+      database,
+      "SELECT sent_s, cause, hops, forged, copy, size_bytes, CASE content_kind WHEN "
+      "'team' THEN said ELSE content_kind END FROM messages",
       [&](const Statement& row) {
         const double bin = std::max(0.0, row.real(0) / run.message_bin);
         const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
         ++run.messages_sent[k];
+        if (row.integer(4) == 0) {
+          auto& bytes = run.messages_bytes.try_emplace(row.text(6), bins).first->second;
+          bytes[k] += row.real(5);
+        }
         const auto cause = loss_cause(row.text(1));
         if (!cause) {
           unknown = row.text(1);

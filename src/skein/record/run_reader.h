@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -78,8 +79,11 @@ struct StoredRun {
   int events_left_out = 0;                            ///< more of the most frequent kinds
   double message_bin = 60;                            ///< [s]
   std::vector<int> messages_sent, messages_lost;      ///< per bin
-  std::vector<StoredLoad> loads;                      ///< in order of time
-  std::vector<StoredRadio> radios;                    ///< in the order of their entities
+  /// Bytes in the wire form that were sent, per bin, by kind of message; what goes to
+  /// everyone once.
+  std::map<std::string, std::vector<double>> messages_bytes;
+  std::vector<StoredLoad> loads;    ///< in order of time
+  std::vector<StoredRadio> radios;  ///< in the order of their entities
   std::vector<LinkUse> links;  ///< of the whole run, in the order of sender and receiver
 };
 

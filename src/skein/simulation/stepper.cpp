@@ -556,7 +556,8 @@ void Stepper::record_message(const MessageOutcome& outcome, Time ended) {
   const Message& message = outcome.message;
   const auto* team = std::get_if<TeamMessage>(&message.content);
   const bool arrived = outcome.cause == LossCause::kNone;
-  if (!arrived && outcome.cause != LossCause::kPending) ++lost_;
+  const bool lost = !arrived && outcome.cause != LossCause::kPending;
+  if (lost && !message.forged) ++lost_;
   std::optional<Time> read;
   if (arrived) {
     // The first step of its receiver's agent from now on; this step's is over.
@@ -564,8 +565,8 @@ void Stepper::record_message(const MessageOutcome& outcome, Time ended) {
     read = period * (ended.ns() / period.ns() + 1);
   }
   recorder_.record(
-      MessageRecord{message, ended, static_cast<std::uint32_t>(coded_size(message)),
-                    !arrived, team ? std::string(kind_of(team->content)) : std::string(),
+      MessageRecord{message, ended, static_cast<std::uint32_t>(coded_size(message)), lost,
+                    team ? std::string(kind_of(team->content)) : std::string(),
                     message.copy, outcome.cause, outcome.way, message.forged, read});
 }
 

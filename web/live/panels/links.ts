@@ -11,7 +11,7 @@ const kMost = 16; // entities of the picture
 const kGood = 0.95, kFair = 0.7;
 const kSize = 340; // [px]
 
-const quality = (share: number) => (share >= kGood ? "good" : share >= kFair ? "fair" : "poor");
+const quality = (share: number | null) => (share === null ? "silent" : share >= kGood ? "good" : share >= kFair ? "fair" : "poor");
 
 export class LinksPanel implements Panel {
   readonly element = h("div", { class: "panel" });
@@ -72,7 +72,7 @@ export class LinksPanel implements Panel {
       const from = at.get(link.from), to = at.get(link.to);
       if (from && to) pairs.push({ link, from, to });
     }
-    pairs.sort((a, b) => b.link.quality - a.link.quality);
+    pairs.sort((a, b) => (b.link.quality ?? 2) - (a.link.quality ?? 2)); // the worst on top
     for (const { link, from, to } of pairs) {
       const kind = quality(link.quality);
       // Each direction on its own side, width and dashes say the quality without colour.
@@ -80,9 +80,13 @@ export class LinksPanel implements Panel {
       c.beginPath();
       c.moveTo(from[0] + (off * -dy) / l, from[1] + (off * dx) / l);
       c.lineTo(to[0] + (off * -dy) / l, to[1] + (off * dx) / l);
-      c.strokeStyle = kind === "good" ? colours.mission : kind === "fair" ? colours.corrective : colours.warning;
-      c.lineWidth = kind === "good" ? 2.6 : kind === "fair" ? 2 : 1.6;
-      c.setLineDash(kind === "good" ? [] : kind === "fair" ? [8, 4] : [2, 4]);
+      const [colour, width, dashes] = {
+        good: [colours.mission, 2.6, []], fair: [colours.corrective, 2, [8, 4]],
+        poor: [colours.warning, 1.6, [2, 4]], silent: [colours.muted, 1, []],
+      }[kind] as [string, number, number[]];
+      c.strokeStyle = colour;
+      c.lineWidth = width;
+      c.setLineDash(dashes);
       c.stroke();
     }
     c.setLineDash([]);
@@ -116,13 +120,13 @@ export class LinksPanel implements Panel {
       h("tbody", {}, ...ids.map((from) => h("tr", {}, h("th", { scope: "row" }, world.name(from)), ...ids.map((to) => {
         const link = world.links.get(`${from} ${to}`);
         if (!link) return h("td", { class: from === to ? "self" : "" }, from === to ? "" : "·");
-        return h("td", { class: quality(link.quality), title: this.cellText(link) }, String(Math.round(100 * link.quality)));
+        return h("td", { class: quality(link.quality), title: this.cellText(link) }, link.quality === null ? "–" : String(Math.round(100 * link.quality)));
       })))));
   }
 
   private showWorst(links: Link[]): void {
     const { world, units } = this.app;
-    const worst = [...links].sort((a, b) => a.quality - b.quality).slice(0, 6);
+    const worst = links.filter((link) => link.quality !== null).sort((a, b) => a.quality! - b.quality!).slice(0, 6);
     this.worst.replaceChildren(
       h("thead", {}, h("tr", {}, ...Object.values(T.links.columns).map((text, k) => h("th", { scope: "col", class: k > 0 ? "number" : undefined }, text)))),
       h("tbody", {}, ...worst.map((link) => h("tr", {}, h("th", { scope: "row" }, `${world.name(link.from)} → ${world.name(link.to)}`),

@@ -96,7 +96,18 @@ test("a link's quality follows what arrives", () => {
   say(link(10, 0));
   assert.equal(world.links.get("1 2")!.quality, 1);
   for (let k = 0; k < 30; ++k) say(link(5, 5));
-  assert.ok(Math.abs(world.links.get("1 2")!.quality - 0.5) < 0.01);
+  assert.ok(Math.abs(world.links.get("1 2")!.quality! - 0.5) < 0.01);
+});
+
+test("radios that hear each other and have said nothing have no quality", () => {
+  const { world, say } = make();
+  const link = (arrived: number, lost: number) => ({ kind: "radio_link", time_s: 1, from_id: 1, to_id: 2, arrived, lost, rssi_dbm: -60, sinr_db: null, delay_s: null });
+  say(link(0, 0));
+  assert.equal(world.links.get("1 2")!.quality, null);
+  say(link(9, 1));
+  assert.equal(world.links.get("1 2")!.quality, 0.9);
+  say(link(0, 0));
+  assert.equal(world.links.get("1 2")!.quality, 0.9);
 });
 
 test("commands of everybody stand among the events, with who gave them", () => {

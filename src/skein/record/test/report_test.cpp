@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 
 #include "sample_run.h"
@@ -322,6 +323,14 @@ TEST(Report, ShowsWhatRadiosDidAndWhoHeardWhom) {
   // The station's: sends a tenth of the time, hears others three tenths.
   EXPECT_NEAR(run["summary"]["radio_load_max"].get<double>(), 0.4, 1e-9);
   EXPECT_EQ(run["summary"]["messages_lost"], run["summary"]["messages_lost_retry_limit"]);
+  // Every message was sent once, and each counts in the bin in which it was sent.
+  const auto& bytes = run["messages"]["bytes"];
+  ASSERT_FALSE(bytes.empty());
+  for (const auto& [kind, bins] : bytes.items()) {
+    EXPECT_EQ(bins.size(), run["messages"]["sent"].size()) << kind;
+    const auto all = bins.get<std::vector<double>>();
+    EXPECT_GT(std::accumulate(all.begin(), all.end(), 0.0), 0) << kind;
+  }
   ASSERT_FALSE(radio["links"].empty());
   const auto& link = radio["links"][0];
   EXPECT_EQ(link["from"], 1);

@@ -14,10 +14,17 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kSameCourse = 0.02;    // [rad]
-constexpr double kMinAirspeed = 1;      // of what hovers, so that it has a heading [m/s]
-constexpr double kSameAltitude = 2;     // of pieces of a flight over ground [m]
-constexpr double kOnCircle = 0.3;       // beside it, of its radius
+constexpr double kSameCourse = 0.02;  // [rad]
+constexpr double kMinAirspeed = 1;    // of what hovers, so that it has a heading [m/s]
+constexpr double kSameAltitude = 2;   // of pieces of a flight over ground [m]
+constexpr double kOnCircle = 0.3;     // beside it, of its radius
+constexpr double kAlmostTangential = 0.5;  // [rad]
+constexpr double kApproachPiece = 3;       // of a way onto a circle [s]
+constexpr double kMinPiece = 0.1;          // [s]
+constexpr double kMinSpeed = 0.5;          // over ground [m/s]
+constexpr double kWindy = 0.15;            // of the airspeed
+constexpr int kMaxPieces = 200;
+constexpr double kNotCircled = 35;  // of the time asked for: each quarter costs bytes [s]
 constexpr double kApproachHeight = 40;  // above the ground at the place [m]
 constexpr double kInLine = 30;          // behind its begin: on the approach [m]
 
@@ -63,18 +70,65 @@ class Flight {
         plan_, model::to_flight_plan(path, at(), air_, now_ + duration(), nav_.p_N.z()));
   }
 
-  // Around a point, from the circle.
-  void circle(const Vec2& centre, double duration) {
-    const model::Pose from = at();
-    const Vec2 out = from.position - centre;
-    const double radius = std::max(out.norm(), air_.turn_radius);
-    const bool right = geo::turned_right(geo::unit(from.course)).dot(out) < 0;
-    fly(duration, (right ? 1 : -1) * air_.airspeed / radius);
+  // Around a point in the wind, from anywhere: as guidance does, tangentially on the
+  // circle and towards it from afar, at first in short pieces, then in parts of it.
+  void circle(const Circle& circle, double duration) {
+    const double until = this->duration() + duration;
+    for (int k = 0; k < kMaxPieces && until - this->duration() > kMinPiece; ++k) {
+      const model::Pose from = at();
+      const Vec2 out = from.position - circle.centre;
+      const double off = out.norm() - circle.radius;
+      const double turned = geo::wrap_pi(from.course - heading_along(circle, out));
+      const bool on = std::abs(off) < kOnCircle * circle.radius &&
+                      std::abs(turned) < kAlmostTangential;
+      const double left = until - this->duration();
+      if (on)
+        part(circle, out, left);
+      else
+        approach(-turned, std::min(left, kApproachPiece));
+    }
   }
 
   FlightPlan take() { return std::move(plan_); }
 
  private:
+  // The heading of one who circles and is `out` of the centre.
+  double heading_along(const Circle& circle, const Vec2& out) const {
+    const double turned =
+        geo::kPi / 2 + math::atan2(out.norm() - circle.radius, circle.radius);
+    const double course = geo::bearing(out) + (circle.clockwise ? turned : -turned);
+    return model::heading_for_course(course, air_.airspeed, air_.wind).value_or(course);
+  }
+
+  // A turn by an angle, as far as it comes, then straight on.
+  void approach(double angle, double time) {
+    const double fastest = air_.airspeed / air_.turn_radius;
+    const double turning = std::min(time, std::abs(angle) / fastest);
+    if (turning > kMinPiece) fly(turning, std::copysign(fastest, angle));
+    if (time - turning > kMinPiece) fly(time - turning, 0);
+  }
+
+  // A quarter of a circle, in more wind an eighth, or what there is time for.
+  void part(const Circle& circle, const Vec2& out, double left) {
+    const double side = circle.clockwise ? 1 : -1;
+    const bool windy = air_.wind.norm() > kWindy * air_.airspeed;
+    const double angle = geo::kPi / (windy ? 4 : 2);
+    const auto ground_speed = [&](const Vec2& there) {
+      return (air_.airspeed * geo::unit(heading_along(circle, there)) + air_.wind).norm();
+    };
+    const double bearing = geo::bearing(out);
+    const auto place = [&](double turned) -> Vec2 {
+      return circle.radius * geo::unit(bearing + side * turned);
+    };
+    const double speed = (ground_speed(out) + 4 * ground_speed(place(angle / 2)) +
+                          ground_speed(place(angle))) /
+                         6;
+    if (!(speed > kMinSpeed)) return approach(0, left);
+    const double time = circle.radius * angle / speed;
+    const double turn = geo::wrap_pi(heading_along(circle, place(angle)) - at().course);
+    fly(std::min(time, left), turn / time);
+  }
+
   const NavEstimate& nav_;
   model::AirMotion air_;
   double now_;
@@ -124,6 +178,8 @@ class Expectation {
 
   void operator()(const Steering& steering) {
     altitude_msl = steering.altitude_msl;
+    if (const auto* circle = std::get_if<Circle>(&steering.guidance))
+      return around(*circle);
     const double airspeed = std::max(context_.limits.airspeed, kMinAirspeed);
     flight_.turn_to(model::heading_for_course(steering.course, airspeed, nav_.wind_N)
                         .value_or(steering.course));
@@ -131,7 +187,7 @@ class Expectation {
   }
   void operator()(const Circling& circling) {
     altitude_msl = circling.altitude_msl;
-    around(circling.centre);
+    around(usual_circle(circling.centre));
   }
   void operator()(const Legs& legs) {
     altitude_msl = legs.altitude_msl;
@@ -140,7 +196,7 @@ class Expectation {
       flight_.fly_to(legs.points[k % legs.points.size()]);
       points.push_back(flight_.end());
     }
-    if (flight_.duration() < duration_) around(legs.points.back());
+    if (flight_.duration() < duration_) around(usual_circle(legs.points.back()));
   }
   void operator()(const Itinerary&) {}
   void operator()(const Landing& landing) {
@@ -160,12 +216,14 @@ class Expectation {
   }
 
  private:
-  void around(const Vec2& centre) {
-    const double radius = wide_radius(context_.limits, nav_.wind_N);
-    const Vec2 out = flight_.at().position - centre;
-    if (std::abs(out.norm() - radius) > kOnCircle * radius)
-      flight_.fly_to(centre + radius * (out.norm() > 0 ? out.normalized() : Vec2(1, 0)));
-    flight_.circle(centre, duration_ - flight_.duration());
+  Circle usual_circle(const Vec2& centre) const {
+    return {centre, wide_radius(context_.limits, nav_.wind_N), true};
+  }
+  void around(const Circle& circle) {
+    const Vec2 out = flight_.at().position - circle.centre;
+    if (out.norm() > 2 * circle.radius)
+      flight_.fly_to(circle.centre + 1.5 * circle.radius * out.normalized());
+    flight_.circle(circle, duration_ - kNotCircled - flight_.duration());
   }
 
   Flight& flight_;

@@ -128,9 +128,11 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
   if (flies && given.number == given_) told_ = passed - std::min(passed_before_, passed);
   if (!expects_other(given, step)) return;
   const bool has_legs = std::holds_alternative<Legs>(given.what);
+  // Circles too are flown as they are said: autopilots each fly their own way onto one.
+  const bool may_be_planned = has_legs || std::holds_alternative<Circling>(given.what);
   const PathQuery query = query_of(step);
   FlightContext context = context_;
-  if (has_legs) context.limits = query.limits;
+  if (may_be_planned) context.limits = query.limits;
   ExpectedFlight ahead =
       expected_flight(given, passed, *step.in.nav, context, step.in.now.seconds(),
                       options_.horizon + kExpected);
@@ -139,7 +141,7 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
   if (ahead.plan.empty()) return;
   FlightCheck check(query, step.safety.zones().zones());
   const bool as_expected =
-      has_legs && step.in.now >= unplanned_until_ && check.is_free(ahead.plan);
+      may_be_planned && step.in.now >= unplanned_until_ && check.is_free(ahead.plan);
   if (stays && !as_expected) return;
   flies_as_expected_ = as_expected;
   wanted_ = {++counted_, std::move(ahead.plan), ahead.points, flies_as_expected_};

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "skein/base/math.h"
+#include "skein/layer/reasoning/trajectory/steering_flight.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning::expected_flight_test {
@@ -53,15 +54,25 @@ TEST(ExpectedFlight, SteeringTurnsToItsCourseAndGoesOn) {
   EXPECT_NEAR(model::end_time_of(plan), 160, 0.1);
 }
 
-TEST(ExpectedFlight, CirclingStaysAroundItsCentre) {
-  const Aircraft aircraft;
-  const Vec2 centre(600, 300);
-  const FlightPlan plan = aircraft.expect(Circling{centre, 150.0});
-  expect_joined(plan);
-  for (double time = 80; time < 160; time += 5) {
-    const Vec2 p = geo::horizontal(model::moment_at(plan, time).p_N);
-    EXPECT_LT((p - centre).norm(), 200) << time;
-  }
+// From outside and from the centre, in wind from all sides: on the circle that guidance
+// flies, clockwise, and not drifting away with the wind.
+TEST(ExpectedFlight, CirclesAreFlownOverGround) {
+  for (const Vec2& centre : {Vec2(600, 300), Vec2(0, 0), Vec2(-40, 60)})
+    for (double from = 0; from < 6; from += 1) {
+      Aircraft aircraft;
+      aircraft.nav.wind_N = 6 * geo::unit(from);
+      const FlightPlan plan = aircraft.expect(Circling{centre, 150.0});
+      expect_joined(plan);
+      const double radius = wide_radius(aircraft.context.limits, aircraft.nav.wind_N);
+      ASSERT_GT(model::end_time_of(plan), 124);
+      EXPECT_LT(plan.size(), 50U);
+      for (double time = 75; time < 124; time += 1) {
+        const model::FlightMoment m = model::moment_at(plan, time);
+        const Vec2 out = geo::horizontal(m.p_N) - centre;
+        EXPECT_NEAR(out.norm(), radius, 0.15 * radius) << time << " wind to " << from;
+        EXPECT_GT(geo::cross(out, geo::horizontal(m.v_N)), 0);
+      }
+    }
 }
 
 TEST(ExpectedFlight, LegsGoOnBehindThePointsThatWerePassed) {
