@@ -89,6 +89,7 @@ bool SeparationPlanner::expects_other(const FlightIntent& given,
   if (!expected_ || by_others_ || given.number != given_ || given.what.index() != kind_)
     return true;
   const double age = (step.in.now - expected_at_).seconds();
+  if (age >= kMinExpected && circles_elsewhere(given)) return true;
   if (separator_.changed()) {
     // Near its end another flight could not come down in time to where this one ends.
     const double left = model::end_time_of(separator_.plan()) - step.in.now.seconds();
@@ -112,6 +113,16 @@ bool SeparationPlanner::expects_other(const FlightIntent& given,
       model::moment_at(wanted_.plan, step.in.now.seconds()).p_N - step.in.nav->p_N;
   return age > kExpectAgain || off.head<2>().norm() > kOff ||
          std::abs(off.z()) > kOffHeight;
+}
+
+// Whether what it circles has moved since that was planned: its intent has the same
+// number.
+bool SeparationPlanner::circles_elsewhere(const FlightIntent& given) const {
+  const auto* circling = std::get_if<Circling>(&given.what);
+  if (!circling || !circled_) return false;
+  const double up =
+      circling->altitude_msl.value_or(0) - circled_->altitude_msl.value_or(0);
+  return (circling->centre - circled_->centre).norm() > kOff || std::abs(up) > kOffHeight;
 }
 
 void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
@@ -152,6 +163,8 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
   has_legs_ = has_legs;
   given_ = given.number;
   kind_ = given.what.index();
+  circled_.reset();
+  if (const auto* circling = std::get_if<Circling>(&given.what)) circled_ = *circling;
   expected_ = true;
   by_others_ = false;
   expected_at_ = step.in.now;

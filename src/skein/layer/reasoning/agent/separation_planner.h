@@ -64,6 +64,7 @@ class SeparationPlanner {
   void want_itinerary(const FlightIntent& given, const Itinerary& itinerary,
                       const TaskStep& step);
   bool expects_other(const FlightIntent& given, const TaskStep& step) const;
+  bool circles_elsewhere(const FlightIntent& given) const;
   PathQuery query_of(const TaskStep& step) const;
   bool is_ignored(const TaskStep& step, const FlightProgress& flight);
   void separate(const TaskStep& step, bool keeps_on, bool is_ignored);
@@ -76,18 +77,19 @@ class SeparationPlanner {
   LandingPlanner landing_;
   Separator separator_;
   WantedFlight wanted_;
-  std::uint32_t counted_ = 0;       // flights that were wanted
-  std::uint32_t given_ = 0;         // number of the intent that is wanted
-  std::size_t kind_ = 0;            // of the intent
-  bool expected_ = false;           // it has no plan
-  bool interrupts_ = false;         // what is flown without a plan, by one of its own
-  bool interrupted_ = false;        // the same, in the step before
-  bool has_legs_ = false;           // what is expected
-  bool flies_as_expected_ = false;  // legs, by a plan
-  Time unplanned_until_;            // since the autopilot has refused such a plan
-  std::size_t points_left_ = 0;     // of the legs that are wanted
-  std::size_t points_ahead_ = 0;    // of them, in what is expected
-  std::size_t passed_before_ = 0;   // of them, when it was expected
+  std::uint32_t counted_ = 0;        // flights that were wanted
+  std::uint32_t given_ = 0;          // number of the intent that is wanted
+  std::size_t kind_ = 0;             // of the intent
+  std::optional<Circling> circled_;  // what was planned, of circles
+  bool expected_ = false;            // it has no plan
+  bool interrupts_ = false;          // what is flown without a plan, by one of its own
+  bool interrupted_ = false;         // the same, in the step before
+  bool has_legs_ = false;            // what is expected
+  bool flies_as_expected_ = false;   // legs and circles, by a plan
+  Time unplanned_until_;             // since the autopilot has refused such a plan
+  std::size_t points_left_ = 0;      // of the legs that are wanted
+  std::size_t points_ahead_ = 0;     // of them, in what is expected
+  std::size_t passed_before_ = 0;    // of them, when it was expected
   std::size_t told_ = 0;    // points of legs that the task knows to be passed by it
   bool by_others_ = false;  // what is wanted is the flight of a pilot or failsafe
   std::optional<Time> unflown_since_;  // its last flight

@@ -70,11 +70,27 @@ struct Aircraft {
   Time now;
 };
 
+// Around what a flight circles in the end, and how high.
+struct Waiting {
+  Vec2 centre;
+  double altitude_msl;
+};
+
+std::optional<Waiting> waiting(const FlightIntent& flown) {
+  const auto* itinerary = std::get_if<Itinerary>(&flown.what);
+  if (!itinerary || itinerary->plan.empty()) return std::nullopt;
+  const double end = model::end_time_of(itinerary->plan);
+  Eigen::AlignedBox2d around;
+  for (double time = end - 50; time < end; time += 0.5)
+    around.extend(geo::horizontal(model::moment_at(itinerary->plan, time).p_N));
+  const double altitude = -model::end_of(itinerary->plan.back()).p_N.z();
+  return Waiting{around.center(), altitude};
+}
+
 TEST(SeparationPlanner, ALandingWaitsWhileAnotherAircraftLands) {
   Aircraft aircraft;
   for (int k = 0; k < 60; ++k) {
-    const FlightIntent* flown = aircraft.second({aircraft.other_lands()});
-    const auto* circling = std::get_if<Circling>(&flown->what);
+    const auto circling = waiting(*aircraft.second({aircraft.other_lands()}));
     ASSERT_TRUE(circling) << k;
     EXPECT_GT(circling->centre.x(), 100) << "upwind, where nobody approaches";
     EXPECT_TRUE(aircraft.planner->modifies());
@@ -85,11 +101,11 @@ TEST(SeparationPlanner, ALandingWaitsWhileAnotherAircraftLands) {
 
 TEST(SeparationPlanner, ALandingGoesToItsApproachAtItsHeightAndThenDown) {
   Aircraft aircraft;
-  const Circling* circling = nullptr;
-  for (int k = 0; k < 20; ++k) circling = std::get_if<Circling>(&aircraft.second()->what);
+  std::optional<Waiting> circling;
+  for (int k = 0; k < 20; ++k) circling = waiting(*aircraft.second());
   ASSERT_TRUE(circling);
   EXPECT_LT(circling->centre.x(), -500) << "downwind, where the approach begins";
-  EXPECT_EQ(circling->altitude_msl, 260);
+  EXPECT_NEAR(circling->altitude_msl, 260, 0.5);
   aircraft.nav.p_N = Vec3(circling->centre.x(), circling->centre.y(), -260);
   const auto* landing = std::get_if<Landing>(&aircraft.second()->what);
   ASSERT_TRUE(landing);
