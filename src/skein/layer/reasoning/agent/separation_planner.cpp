@@ -332,7 +332,8 @@ void SeparationPlanner::separate(const TaskStep& step, bool keeps_on, bool is_ig
 const FlightIntent* SeparationPlanner::own_flight(const FlightIntent& given,
                                                   const TaskStep& step) {
   modifies_ = !expected_ || flies_as_expected_;
-  interrupts_ = expected_;
+  // A circle that is flown as it was wanted interrupts nobody.
+  interrupts_ = expected_ && (has_legs_ || separator_.changed());
   if (own_number_ != 0 && own_plan_ == separator_.number()) return &own_;
   own_plan_ = separator_.number();
   Itinerary own;

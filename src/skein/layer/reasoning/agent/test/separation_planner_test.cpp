@@ -113,6 +113,25 @@ TEST(SeparationPlanner, ALandingGoesToItsApproachAtItsHeightAndThenDown) {
   EXPECT_EQ(aircraft.said<PlanReport>().value().priority, FlightPriority::kLanding);
 }
 
+// A circle is flown by a plan that others know. Whoever wanted it is not interrupted by
+// that: it would begin its circle anew where the aircraft is, step after step.
+TEST(SeparationPlanner, ACircleIsFlownAsItIsSaidAndInterruptsNobody) {
+  Aircraft aircraft;
+  aircraft.given = {2, Circling{Vec2(0, 500), 260.0}};
+  int said = 0;
+  for (int k = 0; k < 60; ++k) {
+    const auto circling = waiting(*aircraft.second());
+    ASSERT_TRUE(circling) << k;
+    EXPECT_LT((circling->centre - Vec2(0, 500)).norm(), 15);
+    EXPECT_FALSE(aircraft.planner->interrupts());
+    if (aircraft.said<PlanReport>()) ++said;
+  }
+  EXPECT_LT(said, 20) << "not a new plan at every look";
+  aircraft.given.what = Circling{Vec2(0, 900), 260.0};  // it has moved, as a relay's does
+  for (int k = 0; k < 4; ++k) aircraft.second();
+  EXPECT_LT((waiting(*aircraft.second())->centre - Vec2(0, 900)).norm(), 15);
+}
+
 TEST(SeparationPlanner, WhatAFailsafeLandsIsSaidAndLandsAtOnce) {
   Aircraft aircraft;
   aircraft.given = {2, Circling{Vec2(0, 500), 260.0}};
