@@ -24,8 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kNetExamples = R"(
-Nodes: columns node, time_s, x_m, y_m, z_m[, power_dbm], or an ns-2 movement file. Traffic: message, time_s, from, to (a node or *), bytes. docs/network.md has the
-columns of what is written, and what radios there are.
+Nodes: columns node, time_s, x_m, y_m, z_m[, power_dbm], or an ns-2 movement file.
+Traffic: message, time_s, from, to (a node or *), bytes. docs/network.md has the columns of
+what is written, and what radios there are.
 
 Examples:
   skein net --nodes nodes.csv --traffic traffic.csv --profile wifi-dsss-2 \
@@ -52,7 +53,7 @@ bool is_ns2_movement(std::string_view text) {
 Result<void> check_distinct(const NetArguments& given) {
   std::vector<fs::path> others;
   for (const std::string& file : {given.nodes, given.traffic, given.profile})
-    if (!file.empty()) others.emplace_back(file);
+    if (fs::exists(file)) others.emplace_back(file);
   for (const std::string& file : {given.out, given.trace, given.report}) {
     std::error_code none;
     if (file.empty() || (fs::exists(file, none) && !fs::is_regular_file(file, none)))

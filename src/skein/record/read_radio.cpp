@@ -36,8 +36,9 @@ Result<void> read_messages(Sqlite& database, RadioStatistics& statistics,
       [&](const Statement& row) {
         const double bin = std::max(0.0, row.real(0) / run.message_bin);
         const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
-        ++run.messages_sent[k];
-        if (row.integer(4) == 0) {
+        const bool forged = row.integer(3) != 0;
+        if (!forged) ++run.messages_sent[k];
+        if (!forged && row.integer(4) == 0) {
           auto& bytes = run.messages_bytes.try_emplace(row.text(6), bins).first->second;
           bytes[k] += row.real(5);
         }
@@ -47,9 +48,8 @@ Result<void> read_messages(Sqlite& database, RadioStatistics& statistics,
           return;
         }
         const bool lost = *cause != LossCause::kNone && *cause != LossCause::kPending;
-        if (lost) ++run.messages_lost[k];
-        statistics.message(*cause, static_cast<std::uint32_t>(row.integer(2)),
-                           row.integer(3) != 0);
+        if (lost && !forged) ++run.messages_lost[k];
+        statistics.message(*cause, static_cast<std::uint32_t>(row.integer(2)), forged);
       });
   if (!done || unknown.empty()) return done;
   return Error{ErrorCode::kBadInput, "messages",
