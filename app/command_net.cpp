@@ -58,8 +58,12 @@ Result<void> check_distinct(const NetArguments& given) {
     std::error_code none;
     if (file.empty() || (fs::exists(file, none) && !fs::is_regular_file(file, none)))
       continue;
+    // Absolute first: what does not exist yet stays relative else.
+    const auto place = [&](const fs::path& path) {
+      return fs::weakly_canonical(fs::absolute(path, none), none);
+    };
     for (const fs::path& other : others)
-      if (fs::weakly_canonical(file, none) == fs::weakly_canonical(other, none))
+      if (place(file) == place(other))
         return Error{ErrorCode::kBadInput, file,
                      "is read or written under another option too.",
                      "Give --out, --trace and --report files of their own."};

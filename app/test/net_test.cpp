@@ -208,15 +208,15 @@ TEST_F(Program, RadiosAreListedAndTheirKeysDocumented) {
       << "Renew it: build/release/skein keys radio > docs/radio-keys.md";
 }
 
-TEST_F(Program, NetReadsNs2Movement) {
-  write("n.ns2",
+TEST_F(Program, NetReadsNs2MovementWhateverItsFileIsCalled) {
+  write("n.txt",
         "# two nodes\n"
         "$node_(0) set X_ 0.0\n"
         "$node_(0) set Y_ 0.0\n"
         "$node_(1) set X_ 1000.0\n"
         "$ns_ at 1.0 \"$node_(1) setdest 50.0 0.0 100.0\"\n");
   write("t.csv", "message,time_s,from,to,bytes\n0,0.5,0,*,10\n1,9,0,*,10\n2,12,0,*,10\n");
-  const Finished done = run({"net", "--nodes", "n.ns2", "--traffic", "t.csv", "--profile",
+  const Finished done = run({"net", "--nodes", "n.txt", "--traffic", "t.csv", "--profile",
                              "nn4", "--duration", "20", "--out", "m.csv"});
   EXPECT_EQ(done.status, 0) << done.err;
   // 119 m are reached at 9.8 s.
@@ -224,6 +224,24 @@ TEST_F(Program, NetReadsNs2Movement) {
   EXPECT_NE(messages.find("\n1,0,1,9.000000000,,out-of-range"), std::string::npos)
       << messages;
   EXPECT_NE(messages.find("\n2,0,1,12.000000000,12.0"), std::string::npos) << messages;
+}
+
+TEST_F(Program, NetWritesOverNoFileOfItsOwn) {
+  write("n.csv", kThreeNodes);
+  fs::create_symlink("n.csv", folder_ / "same.csv");
+  const auto net = [&](const char* out, const char* trace) {
+    return run({"net", "--nodes", "n.csv", "--saturate", "3,5,1000,1", "--profile", "nn4",
+                "--duration", "1", "--out", out, "--trace", trace});
+  };
+  for (const auto& [out, trace] :
+       {std::pair("n.csv", "f.csv"), std::pair("m.csv", "./n.csv"),
+        std::pair("same.csv", "f.csv"), std::pair("m.csv", "./m.csv")}) {
+    const Finished refused = net(out, trace);
+    EXPECT_EQ(refused.status, 2) << out << " " << trace;
+    EXPECT_NE(refused.err.find("under another option"), std::string::npos);
+    EXPECT_EQ(read_file(folder_ / "n.csv"), kThreeNodes);
+  }
+  EXPECT_EQ(net("m.csv", "f.csv").status, 0);
 }
 
 TEST_F(Program, NetSaysWhatIsWrong) {

@@ -276,6 +276,24 @@ TEST(TeamMember, AShortLossOfTheMasterDoesNotCountAsMeeting) {
   EXPECT_EQ(team.count("split"), 0);
 }
 
+// All in which 2 said in full that it follows 6 was lost; what it says in short is
+// enough.
+TEST(TeamMember, GoesWithAMasterThatGivesWayWhicheverMessageSaysSo) {
+  SmallTeam team = team_of({2, 4, 6}, 3);
+  const auto says = [&](std::uint32_t number, std::uint32_t master) {
+    const TeamReceived message{
+        {2}, true, {TeamMessage::kVersion, number, TeamHere{EntityId{master}}}};
+    team.now += 0.01;
+    team.at(4).step(Time::from_seconds(team.now), {&message, 1});
+    return team.at(4).status();
+  };
+  EXPECT_EQ(says(100, 2).master, EntityId{2}) << "it follows nobody";
+  EXPECT_EQ(says(101, 4).master, EntityId{2}) << "nobody leads for that";
+  const TeamStatus after = says(102, 6);
+  EXPECT_EQ(after.master, EntityId{6});
+  EXPECT_EQ(after.reason, TeamReason::kMerged);
+}
+
 // An order of 2 with a number of its own.
 TeamStep order(SmallTeam& team, std::uint32_t to, std::uint32_t number,
                std::vector<TeamTask> tasks) {
