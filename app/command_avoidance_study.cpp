@@ -17,6 +17,8 @@
 #include "skein/base/math.h"
 #include "skein/campaign/avoidance_study.h"
 #include "skein/campaign/avoidance_watch.h"
+#include "skein/record/fan_out.h"
+#include "skein/record/run_recorder.h"
 #include "skein/role/agent.h"
 
 namespace skein::app {
@@ -71,17 +73,43 @@ void add_figures(const std::vector<DecisionTime>& times,
   if (flown > 0) figures["decision_ms_per_s"] = 1e3 * sum / flown;
 }
 
+// As `skein run` leaves them.
+Result<std::unique_ptr<record::RunRecorder>> open_records(const campaign::BatchItem& item,
+                                                          const fs::path& folder) {
+  const scenario::Scenario& scenario = item.scenario;
+  record::RunRecorderOptions options;
+  options.overwrite = true;
+  auto created = record::RunRecorder::create(
+      folder, {kVersion, scenario.seed, scenario.name, item.text, scenario.start_utc},
+      options);
+  if (!created) return created;
+  if (auto written = write_text(folder / "scenario.yaml", item.text); !written)
+    return written.error();
+  return created;
+}
+
+// @param records  folder for them; none: they are not kept.
 Result<record::RunSummary> fly(const campaign::BatchItem& item,
                                const campaign::AvoidanceCase& flown,
                                const campaign::AvoidanceStudy& study,
                                const assemble::KindRegistry& kinds,
+                               const std::optional<fs::path>& records,
                                const std::atomic<bool>& stop) {
   campaign::AvoidanceWatch watch(flown, campaign::separation_of(study, flown));
+  std::unique_ptr<record::RunRecorder> recorder;
+  std::vector<Recorder*> listeners = {&watch};
+  if (records) {
+    auto opened = open_records(item, *records);
+    if (!opened) return opened.error();
+    recorder = std::move(opened).value();
+    listeners.push_back(recorder.get());
+  }
+  record::FanOut listener(std::move(listeners));
   std::vector<DecisionTime> times(flown.aircraft.size() + 1);
   assemble::QuietRun how;
   how.version = kVersion;
   how.stop = &stop;
-  how.listener = &watch;
+  how.listener = &listener;
   how.console = &watch;
   how.prepare = [&](simulation::World& world) {
     for (std::size_t k = 0; k < world.entities.size() && k < times.size(); ++k)
@@ -90,6 +118,8 @@ Result<record::RunSummary> fly(const campaign::BatchItem& item,
             std::make_unique<TimedAgent>(std::move(world.entities[k].agent), times[k]);
   };
   auto summary = assemble::run_quietly(item.scenario, kinds, how);
+  if (recorder)
+    if (auto closed = recorder->close(!summary); !closed) return closed.error();
   if (!summary) return summary;
   watch.add_figures(summary.value().numbers);
   add_figures(times, summary.value().numbers);
@@ -142,15 +172,20 @@ int avoidance_study(const StudyArguments& arguments, const assemble::KindRegistr
   }
   auto study = study_of(arguments);
   if (!study) return say_error(study.error());
-  const auto plan = campaign::plan_avoidance_study(study.value(), kinds.table());
+  auto plan = campaign::plan_avoidance_study(study.value(), kinds.table());
   if (!plan) return say_error(plan.error());
   const bool file = folder.extension() == ".csv";
   const fs::path runs = file ? fs::path(folder).replace_extension(".runs") : folder;
+  // One that was flown without records is flown again for them.
+  if (arguments.records)
+    for (campaign::BatchItem& item : plan.value().items) item.data += " with records";
   const auto outcomes = run_plan(
       plan.value(), arguments.threads, kinds, runs, stop,
       [&](const campaign::BatchItem& item) {
         const auto at = static_cast<std::size_t>(&item - plan.value().items.data());
-        return fly(item, study.value().cases[at], study.value(), kinds, stop);
+        std::optional<fs::path> records;
+        if (arguments.records) records = runs / folder_name(item.name);
+        return fly(item, study.value().cases[at], study.value(), kinds, records, stop);
       });
   if (!outcomes) return say_error(outcomes.error());
   const bool failed = report_failures(plan.value().items, outcomes.value(), runs);

@@ -200,7 +200,7 @@ const std::vector<StudyKind>& study_kinds() {
        "costs",
        {"--out", "--log", "--cases", "--only-cases", "--first-seed", "--threads",
         "--method", "--deal", "--plant", "--loss", "--delay", "--range", "--tracks",
-        "--stranger-room", "--turbulence", "--separation", "--wind-from"},
+        "--stranger-room", "--turbulence", "--separation", "--wind-from", "--records"},
        avoidance_study},
       {"network",
        "the radio medium beside ns-3 and Bianchi: network grid, network cell, network "

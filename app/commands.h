@@ -64,6 +64,7 @@ struct StudyArguments {
   std::vector<std::string> profiles;  ///< network: empty = the experiment's own
   std::optional<double> duration;     ///< network: of each case [s]
   AvoidanceArguments avoidance;
+  bool records = false;            ///< avoidance: keep those of all cases
   std::vector<std::string> given;  ///< names of all options of the command line
 };
 

@@ -427,6 +427,9 @@ Command add_study(CLI::App& program) {
                    "avoidance: SPEED,DEGREES instead of the wind of the cases.")
       ->delimiter(',')
       ->expected(2);
+  command->add_flag("--records", study->records,
+                    "avoidance: keep the records of every case, for skein report and "
+                    "replay.");
   command->add_option("--data", study->data, "bridge: folder of the recorded fire.");
   command
       ->add_option("--gains", study->gains,

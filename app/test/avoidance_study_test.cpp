@@ -92,6 +92,21 @@ TEST_F(AvoidanceStudy, StrangersAreKeptWellClearOfByEitherRoom) {
   EXPECT_NE(cell(moving, "extra_time_s"), cell(standing, "extra_time_s"));
 }
 
+// A case that stands out can be looked into, also one that was flown without records.
+TEST_F(AvoidanceStudy, KeepsTheRecordsOfEachCase) {
+  write("pair.csv", kPair);
+  study("pair.csv", {});
+  const std::vector<std::string> again = {"study", "avoidance", "--cases",  "pair.csv",
+                                          "--out", "r1.csv",    "--records"};
+  ASSERT_EQ(run(again).status, 0);
+  const fs::path kept = folder_ / "r1.runs" / "head-on-1";
+  EXPECT_TRUE(fs::exists(kept / "summary.json"));
+  EXPECT_TRUE(fs::exists(kept / "scenario.yaml"));
+  const Finished done = run({"report", kept.string()});
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_TRUE(fs::exists(kept / "report.html"));
+}
+
 TEST_F(AvoidanceStudy, SaysWhatIsWrong) {
   write("pair.csv", kPair);
   write("bad.csv", std::string(kEncounter) + "e1,0,0\n");
