@@ -131,6 +131,7 @@ export const kTable: Table = {
       ["position_sd", "f64", "_m"],
       ["roll", "f64", "_deg", 57.29577951308232],
       ["pitch", "f64", "_deg", 57.29577951308232],
+      ["altitude_sd", "f64", "_m"],
     ],
     AutopilotStatus: [
       ["remaining", "f64", "_m"],
@@ -939,6 +940,7 @@ export const kTable: Table = {
       ["airspeed", "f64", "_mps"],
       ["", "vec2", "_mps", 1, "wind_north wind_east wind_down", 1],
       ["position_sd", "f64", "_m"],
+      ["altitude_sd", "f64", "_m"],
     ],
     Condition: [
       ["armed", "flag"],

@@ -61,6 +61,7 @@ export interface Estimate {
   position_sd_m: number | null; // per horizontal axis
   roll_deg: number | null; // right wing down positive
   pitch_deg: number | null; // nose up positive
+  altitude_sd_m: number | null; // of the altitude
   remaining_m: number | null; // along the path
   cross_track_m: number | null; // off the path that it follows, right positive
   done: boolean; // the path's end has been passed
@@ -124,6 +125,7 @@ export interface Report {
   position_sd_m: number | null; // per horizontal axis
   roll_deg: number | null; // right wing down positive
   pitch_deg: number | null; // nose up positive
+  altitude_sd_m: number | null; // of the altitude
   limits: number | null; // what it can do
   task_number: number; // the newest order; 0: none yet
   task_state: "none" | "flying" | "paused" | "done" | "impossible"; // how far it is with its task
@@ -298,6 +300,7 @@ export interface TeamPosition {
   position_sd_m: number | null; // per horizontal axis
   roll_deg: number | null; // right wing down positive
   pitch_deg: number | null; // nose up positive
+  altitude_sd_m: number | null; // of the altitude
 }
 
 /** A circle and what is inside. */
@@ -1207,6 +1210,7 @@ export interface Motion {
   wind_north_mps: number | null; // as it estimates it
   wind_east_mps: number | null; // as it estimates it
   position_sd_m: number | null; // per horizontal axis
+  altitude_sd_m: number | null; // of the altitude
 }
 
 /** What a vehicle behind a link does, and how it is. */

@@ -124,6 +124,7 @@ struct NavEstimate {
   double position_sd = 0;      ///< per horizontal axis [m]
   double roll = 0;             ///< [rad]
   double pitch = 0;            ///< [rad]
+  double altitude_sd = 0;      ///< [m]
 };
 
 constexpr auto describe(const NavEstimate*) {
@@ -137,7 +138,8 @@ constexpr auto describe(const NavEstimate*) {
       field("", &T::wind_N, axes::kWind, "estimated, horizontal"),
       field("position_sd", &T::position_sd, unit::kMetre, "per horizontal axis"),
       field("roll", &T::roll, unit::kDegree, "right wing down positive"),
-      field("pitch", &T::pitch, unit::kDegree, "nose up positive"));
+      field("pitch", &T::pitch, unit::kDegree, "nose up positive"),
+      field("altitude_sd", &T::altitude_sd, unit::kMetre, "of the altitude"));
 }
 
 /// The true motion as an estimate without errors: what an operator gives an autopilot at

@@ -29,6 +29,7 @@ struct VehicleMotion {
   double airspeed = 0;           ///< [m/s]; 0: not measured
   Vec2 wind_N = Vec2::Zero();    ///< as it estimates it [m/s]
   double position_sd = 0;        ///< per horizontal axis [m]
+  double altitude_sd = 0;        ///< [m]
 };
 
 constexpr auto describe(const VehicleMotion*) {
@@ -41,7 +42,8 @@ constexpr auto describe(const VehicleMotion*) {
       field("", &T::w_NB_B, axes::kBodyRates, "rates of turn"),
       field("airspeed", &T::airspeed, unit::kMetrePerSecond, "0: not measured"),
       field("", &T::wind_N, axes::kWind, "as it estimates it"),
-      field("position_sd", &T::position_sd, unit::kMetre, "per horizontal axis"));
+      field("position_sd", &T::position_sd, unit::kMetre, "per horizontal axis"),
+      field("altitude_sd", &T::altitude_sd, unit::kMetre, "of the altitude"));
 }
 
 /// What it does, and how it is.

@@ -40,7 +40,9 @@ VehicleMotion MotionTracker::at(Time now) const {
   m.p_N.z() += age * m.v_N.z();
   m.v_N.head<2>() = after;
   m.q_NB = geo::from_euler({0, 0, 2 * half}) * m.q_NB;
-  m.position_sd = math::hypot(m.position_sd, kAcceleration * age * age / 2);
+  const double unknown = kAcceleration * age * age / 2;
+  m.position_sd = math::hypot(m.position_sd, unknown);
+  m.altitude_sd = math::hypot(m.altitude_sd, unknown);
   m.time = std::max(now, m.time);
   return m;
 }
@@ -54,6 +56,7 @@ NavEstimate as_estimate(const VehicleMotion& motion) {
   nav.heading = attitude.yaw;
   nav.wind_N = motion.wind_N;
   nav.position_sd = motion.position_sd;
+  nav.altitude_sd = motion.altitude_sd;
   nav.roll = attitude.roll;
   nav.pitch = attitude.pitch;
   return nav;

@@ -34,6 +34,7 @@ VehicleMotion believed_motion(const NavEstimate& nav) {
   motion.airspeed = (geo::horizontal(nav.v_N) - nav.wind_N).norm();
   motion.wind_N = nav.wind_N;
   motion.position_sd = nav.position_sd;
+  motion.altitude_sd = nav.altitude_sd;
   return motion;
 }
 

@@ -20,6 +20,7 @@ NavFilter::NavFilter(const NavEstimate& initial, double wind_lag)
       drift_(initial.wind_N),
       variance_(initial.position_sd * initial.position_sd),
       fix_sd_(initial.position_sd),
+      fix_altitude_sd_(initial.altitude_sd),
       fix_time_(initial.time),
       air_time_(initial.time) {}
 
@@ -41,7 +42,9 @@ void NavFilter::advance(Time now) {
   estimate_.v_N.z() = -climb_rate_;
   variance_ += kDriftNoise * kDriftNoise * dt;
   const double age = (now - fix_time_).seconds();
-  estimate_.position_sd = std::sqrt(fix_sd_ * fix_sd_ + kDriftNoise * kDriftNoise * age);
+  const double drifted = kDriftNoise * kDriftNoise * age;
+  estimate_.position_sd = std::sqrt(fix_sd_ * fix_sd_ + drifted);
+  estimate_.altitude_sd = std::sqrt(fix_altitude_sd_ * fix_altitude_sd_ + drifted);
 }
 
 void NavFilter::add(const AirDataSample& sample) {
@@ -69,6 +72,7 @@ void NavFilter::add(const GnssFix& fix) {
   estimate_.p_N += gain * (fix.p_N - estimate_.p_N);
   variance_ = has_fix_ ? (1 - gain) * variance_ : fix_variance;
   fix_sd_ = fix.position_sd;
+  fix_altitude_sd_ = fix.altitude_sd;
 
   if (has_air_) {
     const Vec2 seen = geo::horizontal(fix.v_N) - air_velocity(estimate_.heading);
@@ -86,6 +90,7 @@ void NavFilter::add(const GnssFix& fix) {
   estimate_.v_N.head<2>() = air_velocity(estimate_.heading) + drift_;
   estimate_.v_N.z() = fix.v_N.z();
   estimate_.position_sd = fix_sd_;
+  estimate_.altitude_sd = fix_altitude_sd_;
 }
 
 }  // namespace skein::autopilot

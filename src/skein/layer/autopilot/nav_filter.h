@@ -42,7 +42,7 @@ class NavFilter {
   double climb_rate_ = 0;  // [m/s], up positive
   Vec2 drift_ = Vec2::Zero();
   double variance_ = 0;  // of the position, for the gain [m^2]
-  double fix_sd_;
+  double fix_sd_, fix_altitude_sd_;
   Time fix_time_, air_time_;
   bool has_fix_ = false, has_air_ = false;
   double fixes_seconds_ = 0;  // time over which the wind has been averaged

@@ -20,7 +20,8 @@ constexpr std::uint8_t kStatusCritical = 5;  // MAV_STATE
 constexpr std::uint8_t kStatusEmergency = 6;
 constexpr std::uint32_t kPreArmCheck = 0x1000'0000;  // MAV_SYS_STATUS
 constexpr std::uint16_t kUnknown16 = 0xffff;
-constexpr double kTypicalPositionSd = 2;  // of a receiver that does not say [m]
+constexpr double kTypicalPositionSd = 2;       // of a receiver that does not say [m]
+constexpr double kTypicalVerticalShare = 1.5;  // the same, of its altitude, over that
 
 // MAV_TYPE of what flies on rotors: quadrotor, coaxial, helicopter, hexa-, octo-,
 // tricopter, dodecarotor.
@@ -84,6 +85,10 @@ void Telemetry::handle(const mavlink::GpsRawInt& m) {
                         : m.eph != kUnknown16 && m.eph > 0
                             ? m.eph / 100.0 * kTypicalPositionSd
                             : kTypicalPositionSd;
+  motion_.altitude_sd = m.v_acc > 0 ? m.v_acc / 1000.0
+                        : m.epv != kUnknown16 && m.epv > 0
+                            ? m.epv / 100.0 * kTypicalPositionSd
+                            : kTypicalVerticalShare * motion_.position_sd;
 }
 
 void Telemetry::handle(const mavlink::SysStatus& m) {

@@ -55,6 +55,7 @@ struct VehicleFeed::Listener {
     motion.q_NB = geo::from_euler({r.nav.roll, r.nav.pitch, r.nav.heading});
     motion.wind_N = r.nav.wind_N;
     motion.position_sd = r.nav.position_sd;
+    motion.altitude_sd = r.nav.altitude_sd;
     motion.airspeed = (geo::horizontal(r.nav.v_N) - r.nav.wind_N).norm();
     VehicleCondition& condition = shown->snapshot.condition;
     condition.on_ground = r.status.on_ground;

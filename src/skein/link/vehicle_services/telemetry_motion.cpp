@@ -53,10 +53,12 @@ mavlink::GpsRawInt gps_raw_int(const ServedVehicle& v) {
   m.lon = lon;
   m.alt = m.alt_ellipsoid = millimetres(v.altitude_msl());
   m.eph = rounded_below_max<std::uint16_t>(motion.position_sd / kRangeError * 100);
+  m.epv = rounded_below_max<std::uint16_t>(motion.altitude_sd / kRangeError * 100);
   m.vel = rounded_below_max<std::uint16_t>(ground_speed(v) * 100);
   if (ground_speed(v) >= kMinCourseSpeed)
     m.cog = centidegrees(geo::bearing(geo::horizontal(motion.v_N)));
   m.h_acc = rounded<std::uint32_t>(motion.position_sd * 1000);
+  m.v_acc = rounded<std::uint32_t>(motion.altitude_sd * 1000);
   return m;
 }
 

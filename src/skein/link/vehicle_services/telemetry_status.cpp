@@ -152,6 +152,7 @@ mavlink::EstimatorStatus estimator_status(const ServedVehicle& v) {
   m.time_usec = boot_us(v.snapshot.motion.time);
   m.flags = estimator_flags(v);
   m.pos_horiz_accuracy = as_float(v.snapshot.motion.position_sd);
+  m.pos_vert_accuracy = as_float(v.snapshot.motion.altitude_sd);
   return m;
 }
 

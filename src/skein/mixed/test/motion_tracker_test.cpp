@@ -21,6 +21,7 @@ VehicleMotion on_circle(double t, double r, double v) {
   m.v_N = {-v * math::sin(angle), v * math::cos(angle), 0};
   m.q_NB = geo::from_euler({math::atan(v * v / (r * kGravity)), 0, angle + geo::kPi / 2});
   m.position_sd = 1;
+  m.altitude_sd = 2;
   return m;
 }
 
@@ -55,7 +56,9 @@ TEST(MotionTracker, KnowsLessWithAge) {
   EXPECT_FALSE(tracker.known());
   tracker.add(on_circle(10, 80, 20));
   EXPECT_NEAR(tracker.at(s(10)).position_sd, 1, 1e-12);
+  EXPECT_NEAR(tracker.at(s(10)).altitude_sd, 2, 1e-12);
   EXPECT_GT(tracker.at(s(12)).position_sd, 4);
+  EXPECT_GT(tracker.at(s(12)).altitude_sd, 4);
 }
 
 TEST(MotionTracker, PassesOverWhatComesLate) {

@@ -355,7 +355,9 @@ NavEstimate FlightEstimator::estimate() const {
   e.heading = options_->fixed_wing && coordinated_ && air.norm() > options_->min_airspeed
                   ? geo::bearing(air)
                   : angles.yaw;
-  e.position_sd = accuracy().position;
+  const NavAccuracy accurate = accuracy();
+  e.position_sd = accurate.position;
+  e.altitude_sd = accurate.altitude;
   return e;
 }
 

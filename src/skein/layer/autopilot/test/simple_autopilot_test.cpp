@@ -287,6 +287,7 @@ TEST(SimpleAutopilot, CarriesOnWithoutFixes) {
   // A steady wind known to 0.01 m/s, and one step of latency at 20 m/s.
   EXPECT_LT((geo::horizontal(nav.p_N) - flight.position()).norm(), 3);
   EXPECT_GT(nav.position_sd, 2);  // 0.3 sqrt(60)
+  EXPECT_GT(nav.altitude_sd, 2);
 }
 
 TEST(SimpleAutopilot, FliesAPlanInTime) {

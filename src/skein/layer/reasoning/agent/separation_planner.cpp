@@ -322,10 +322,10 @@ void SeparationPlanner::separate(const TaskStep& step, bool keeps_on, bool is_ig
   if (step.in.now < ignored_until_)
     priority = std::max(priority, FlightPriority::kPilotFlies);
   const PathQuery query = query_of(step);
-  separator_.step(
-      {step.in.now, step.in.nav->p_N, step.in.nav->v_N, step.in.nav->position_sd,
-       priority, query, step.safety.zones().zones(), strangers_, keeps_on, is_ignored},
-      wanted_, messages_);
+  separator_.step({step.in.now, step.in.nav->p_N, step.in.nav->v_N,
+                   step.in.nav->position_sd, step.in.nav->altitude_sd, priority, query,
+                   step.safety.zones().zones(), strangers_, keeps_on, is_ignored},
+                  wanted_, messages_);
 }
 
 // The plan of the separator, to be flown in time.

@@ -35,6 +35,7 @@ inline VehicleSnapshot standing() {
   VehicleSnapshot snapshot;
   snapshot.motion.p_N = {100, 200, -400};
   snapshot.motion.position_sd = 1.5;
+  snapshot.motion.altitude_sd = 2.5;
   snapshot.condition.position = true;
   snapshot.condition.mode = VehicleMode::kHold;
   snapshot.condition.charge = 0.8;

@@ -156,6 +156,8 @@ TEST(Telemetry, SaysWhereItIsAndHowItMoves) {
   EXPECT_EQ(gps.fix_type, 3);
   EXPECT_EQ(gps.h_acc, 1500U);
   EXPECT_EQ(gps.eph, 75);
+  EXPECT_EQ(gps.v_acc, 2500U);
+  EXPECT_EQ(gps.epv, 125);
   EXPECT_EQ(gps.vel, 2000);
   EXPECT_EQ(gps.cog, 30'687);  // atan2(-16, 12)
   EXPECT_EQ(gps.satellites_visible, 255);

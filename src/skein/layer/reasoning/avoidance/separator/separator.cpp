@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/base/math.h"
 #include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/layer/reasoning/planning/search/repair.h"
@@ -17,7 +18,6 @@ constexpr double kMeasurePeriod = 1;  // [s]
 constexpr double kPlanPeriod = 5;     // of plans, in those of places
 // Of where an aircraft believes to be: three of what both of a pair believe together.
 constexpr double kSigmas = 2.2;
-constexpr double kVerticalSd = 1.5;    // over the horizontal one
 constexpr double kRepeatPeriod = 0.5;  // of a plan that is new, in periods of places
 constexpr int kMaxRepeats = 14;
 constexpr double kUnheard = 0.05;  // by so many is a new plan at most
@@ -101,11 +101,13 @@ void Separator::measure(const SeparationStep& step) {
   if (flies_plan() && (is_plan_ || changed_) && now >= model::start_of(own_.plan) &&
       now <= model::end_time_of(own_.plan))
     errors_.add(step.now, model::moment_at(own_.plan, now).p_N - step.p_N);
-  const double unknown = kSigmas * step.position_sd;
   own_.across_error = own_.height_error = 0;
   if (options_.widens) {
-    own_.across_error = half_metres(errors_.across() + unknown);
-    own_.height_error = half_metres(errors_.height() + kVerticalSd * unknown);
+    // How it keeps to its plan and what it believes are wrong independently.
+    own_.across_error =
+        half_metres(math::hypot(errors_.across(), kSigmas * step.position_sd));
+    own_.height_error =
+        half_metres(math::hypot(errors_.height(), kSigmas * step.altitude_sd));
   }
   own_.across_error += unknown_;
   for (const Conflict& conflict : conflicts_) {

@@ -64,6 +64,7 @@ struct SeparationStep {
   Vec3 p_N = Vec3::Zero();  ///< where the aircraft believes to be [m]
   Vec3 v_N = Vec3::Zero();  ///< over ground [m/s]
   double position_sd = 0;   ///< of p_N, per horizontal axis [m]
+  double altitude_sd = 0;   ///< of p_N [m]
   FlightPriority priority = FlightPriority::kNormal;
   /// What flights are planned with: limits, wind, ground; without start and goal.
   const PathQuery& query;
