@@ -13,11 +13,10 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kLookPeriod = 1;     // [s]
-constexpr double kMeasurePeriod = 1;  // [s]
-constexpr double kPlanPeriod = 5;     // of plans, in those of places
-// Of where an aircraft believes to be: three of what both of a pair believe together.
-constexpr double kSigmas = 2.2;
+constexpr double kLookPeriod = 1;      // [s]
+constexpr double kMeasurePeriod = 1;   // [s]
+constexpr double kPlanPeriod = 5;      // of plans, in those of places
+constexpr double kSigmas = 3;          // of where an aircraft believes to be
 constexpr double kRepeatPeriod = 0.5;  // of a plan that is new, in periods of places
 constexpr int kMaxRepeats = 14;
 constexpr double kUnheard = 0.05;  // by so many is a new plan at most

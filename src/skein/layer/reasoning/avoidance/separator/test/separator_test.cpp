@@ -219,10 +219,10 @@ Separation said_error(bool widens) {
 TEST(Separator, WhatIsKeptWidensByWhatIsMeasured) {
   // What is flown off the plan has shrunk by 10 % a minute for 25 to 29 s at most.
   const Separation error = said_error(true);
-  EXPECT_GE(error.horizontal, std::hypot(8 * 0.95, 2.2 * 3));
-  EXPECT_LE(error.horizontal, std::hypot(8, 2.2 * 3) + 0.5);
-  EXPECT_GE(error.vertical, std::hypot(2 * 0.95, 2.2 * 1));
-  EXPECT_LE(error.vertical, std::hypot(2, 2.2 * 1) + 0.5);
+  EXPECT_GE(error.horizontal, std::hypot(8 * 0.95, 3 * 3));
+  EXPECT_LE(error.horizontal, std::hypot(8, 3 * 3) + 0.5);
+  EXPECT_GE(error.vertical, std::hypot(2 * 0.95, 3 * 1));
+  EXPECT_LE(error.vertical, std::hypot(2, 3 * 1) + 0.5);
   EXPECT_EQ(said_error(false).horizontal, 0);
   EXPECT_EQ(said_error(false).vertical, 0);
 }
