@@ -101,6 +101,10 @@ TEST(FlightEstimator, DriftsLittleWithoutSatellitesAndSaysSo) {
   f.fly(99);
   const Vec3 before = f.flight.truth().p_N - f.estimator.state().p_N;
   const double sd_before = f.estimator.accuracy().position;
+  const NavEstimate told = f.estimator.estimate();
+  EXPECT_EQ(told.position_sd, sd_before);
+  EXPECT_GT(told.altitude_sd, 0);
+  EXPECT_EQ(told.altitude_sd, f.estimator.accuracy().altitude);
   EXPECT_FALSE(f.estimator.gnss_lost());
   f.fly(30);
   const Vec3 after = f.flight.truth().p_N - f.estimator.state().p_N;
