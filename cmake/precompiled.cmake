@@ -9,6 +9,11 @@ function(skein_precompile name)
   target_link_libraries(${name} PRIVATE Eigen3::Eigen fmt::fmt)
 endfunction()
 
+# Tests are run once: what the compiler takes to make them fast is not worth it.
+function(skein_optimise_as_test target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # Twice: for what lies below the values of data/, and with them for all that stands on it.
 # src/skein/CMakeLists.txt says from where on by SKEIN_PRECOMPILED, "" or "_data".
 set(SKEIN_PRECOMPILED "")
@@ -18,5 +23,6 @@ foreach(part "" _data)
   if(SKEIN_TESTS)
     skein_precompile(skein_precompiled_tests${part} ${headers} <gtest/gtest.h>)
     target_link_libraries(skein_precompiled_tests${part} PRIVATE GTest::gtest)
+    skein_optimise_as_test(skein_precompiled_tests${part})
   endif()
 endforeach()

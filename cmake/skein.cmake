@@ -50,6 +50,7 @@ function(skein_module name)
     add_executable(${name}_test ${ARG_TESTS})
     skein_link(${name}_test PRIVATE ${name} ${ARG_TEST_NEEDS} skein_warnings GTest::gtest_main)
     target_precompile_headers(${name}_test REUSE_FROM skein_precompiled_tests${SKEIN_PRECOMPILED})
+    skein_optimise_as_test(${name}_test)
     skein_unity(${name}_test)
     # They replace operator new, and the compiler warns where it inlines that elsewhere.
     set(counting ${ARG_TESTS})

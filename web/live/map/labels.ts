@@ -4,7 +4,7 @@
  */
 import type { Theme } from "../../report/theme";
 import { kBefore, kMotion, kNow, type Fleet } from "../fleet";
-import type { Boxes } from "./field";
+import type { Boxes } from "./field_view";
 import type { Projector } from "./projector";
 
 const kSlotWide = 204, kSlotHigh = 50, kColumns = 5, kRows = 15; // [CSS px]

@@ -1,6 +1,6 @@
 /** Paths ahead: how aircraft expect to fly, and how one would fly a task that is not given yet. */
 import type { PathPoint } from "../protocol";
-import type { FieldView } from "./field";
+import type { FieldView } from "./field_view";
 import { trace, type Points } from "./shapes";
 
 const kMany = 40; // from so many aircraft on, only chosen ones show their path

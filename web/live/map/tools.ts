@@ -4,7 +4,7 @@ import { theme } from "../../report/theme";
 import { T } from "../texts";
 import type { Units } from "../units";
 import { button, setText } from "../ui";
-import { writeLabel } from "./field";
+import { writeLabel } from "./field_view";
 import type { Here, MapView } from "./map_view";
 
 export class MapTools {

@@ -59,7 +59,8 @@ TEST(Telemetry, KnowsNoPlaceBeforeAFix) {
   m.fix_type = 1;
   telemetry.handle(m);
   mavlink::GlobalPositionInt position;
-  EXPECT_FALSE(telemetry.handle(position, Time::from_seconds(1), ClockAlignment()).has_value());
+  EXPECT_FALSE(
+      telemetry.handle(position, Time::from_seconds(1), ClockAlignment()).has_value());
 }
 
 }  // namespace

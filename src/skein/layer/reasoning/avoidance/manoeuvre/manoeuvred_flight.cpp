@@ -35,8 +35,8 @@ class Maker {
   std::optional<FlightPlan> up(double height, double lead) const;
   std::optional<FlightPlan> speed(double factor) const;
   std::optional<FlightPlan> turned(double change, double until) const;
-  std::optional<FlightPlan> straight_on(const Vec3& p_N, const Vec3& v_N,
-                                        double duration) const;
+  std::optional<FlightPlan> turned_on(const PresentMotion& present, double change,
+                                      double duration) const;
 
  private:
   model::FlightMoment moment(double time) const {
@@ -172,17 +172,29 @@ std::optional<FlightPlan> Maker::turned(double change, double until) const {
   return flight;
 }
 
-std::optional<FlightPlan> Maker::straight_on(const Vec3& p_N, const Vec3& v_N,
-                                             double duration) const {
+std::optional<FlightPlan> Maker::turned_on(const PresentMotion& present, double change,
+                                           double duration) const {
   FlightElement e;
   e.start = conflict_.begin;
-  e.duration = duration;
-  e.p_N = p_N;
-  e.heading = geo::bearing(v_N.head<2>() - query_.wind);
+  e.p_N = present.p_N;
+  e.heading = geo::bearing(present.v_N.head<2>() - query_.wind);
   e.airspeed = query_.limits.airspeed;
   e.wind = query_.wind;
-  FlightPlan flight = {e};
-  if (!go_on(flight, goal_)) return std::nullopt;
+  FlightPlan flight;
+  double turns_for = 0;
+  if (change != 0 && query_.limits.turn_radius > 0) {
+    e.turn_rate = std::copysign(e.airspeed / query_.limits.turn_radius, change);
+    turns_for = e.duration = std::min(duration, change / e.turn_rate);
+    flight.push_back(e);
+    e.start += e.duration;
+    const model::FlightMoment turned = model::end_of(e);
+    e.p_N = turned.p_N;
+    e.heading = turned.heading;
+    e.turn_rate = 0;
+  }
+  e.duration = duration - turns_for;
+  if (e.duration > 0) flight.push_back(e);
+  if (flight.empty() || !go_on(flight, goal_)) return std::nullopt;
   return flight;
 }
 
@@ -239,11 +251,11 @@ std::optional<FlightPlan> manoeuvred(const Manoeuvre& manoeuvre,
   return flight && within(*flight, conflict.limits) ? flight : std::nullopt;
 }
 
-std::optional<FlightPlan> straight_on_flight(const ConflictOfFlight& conflict,
-                                             const Vec3& p_N, const Vec3& v_N,
-                                             double duration) {
+std::optional<FlightPlan> turned_on_flight(const ConflictOfFlight& conflict,
+                                           const PresentMotion& present, double change,
+                                           double duration) {
   if (!begins_in_plan(conflict)) return std::nullopt;
-  return maker_of(conflict).straight_on(p_N, v_N, duration);
+  return maker_of(conflict).turned_on(present, change, duration);
 }
 
 std::optional<FlightPlan> turned_flight(const ConflictOfFlight& conflict, double change,

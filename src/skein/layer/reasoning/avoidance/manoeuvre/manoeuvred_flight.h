@@ -34,14 +34,21 @@ struct ConflictOfFlight {
 std::optional<FlightPlan> manoeuvred(const Manoeuvre& manoeuvre,
                                      const ConflictOfFlight& conflict);
 
-/// The flight that goes straight on from where the aircraft is for some time, level, then
-/// to the end of the plan.
-/// @param p_N, v_N  of the aircraft at `begin` [m], over ground [m/s].
-/// @param duration  of the straight part [s].
+/// Where an aircraft is, and how it moves over ground.
+struct PresentMotion {
+  Vec3 p_N = Vec3::Zero();  ///< [m]
+  Vec3 v_N = Vec3::Zero();  ///< [m/s]
+};
+
+/// The flight that turns from where the aircraft is, as narrowly as it can, and goes
+/// straight on, all of it level, then to the end of the plan.
+/// @param present   the aircraft at `begin`.
+/// @param change    of the heading, to the right [rad].
+/// @param duration  of the turn and the straight part, the turn at most [s].
 /// @returns  nothing where there is no such flight.
-std::optional<FlightPlan> straight_on_flight(const ConflictOfFlight& conflict,
-                                             const Vec3& p_N, const Vec3& v_N,
-                                             double duration);
+std::optional<FlightPlan> turned_on_flight(const ConflictOfFlight& conflict,
+                                           const PresentMotion& present, double change,
+                                           double duration);
 
 /// The flight that turns at `begin` and flies on until a time [s], then to the end of the
 /// plan.

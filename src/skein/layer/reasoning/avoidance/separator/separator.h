@@ -203,10 +203,15 @@ class Separator {
   bool apart_from_others(const SeparationStep& step, const Conflict& conflict,
                          bool higher_only, std::string_view what);
   bool by_evasion(const SeparationStep& step, const Conflict& conflict);
+
+  // At the last moment (separator_last_moment.cpp).
   bool at_the_last_moment(const SeparationStep& step, const Conflict& conflict);
-  std::optional<FlightPlan> flight_at_height(const SeparationStep& step,
-                                             const Conflict& conflict,
-                                             double climb) const;
+  bool climbs_away(const SeparationStep& step, const Conflict& conflict,
+                   const FlightPlan& theirs) const;
+  std::optional<FlightPlan> flight_aside(const SeparationStep& step,
+                                         const Conflict& conflict, double turn,
+                                         bool up) const;
+  double safe_altitude(const SeparationStep& step, double course, double altitude) const;
   struct Change {
     double begin = 0;    // of the flight [s]
     double rejoins = 0;  // where the old plan is met again, by its time [s]
@@ -219,7 +224,6 @@ class Separator {
   void adopt(const FlightPlan& flight, const Change& change, Time now);
   double begin_of_action(const Conflict& conflict, Time now) const;
   NegotiatingFlight leaving_for(const Conflict& conflict, const PathQuery& query) const;
-  double safe_altitude(const SeparationStep& step, double course, double altitude) const;
   // Else it is told from moment to moment where to fly.
   bool flies_plan() const { return !turn_; }
   bool has_way_over(const TeamFlight& other, Time now) const;

@@ -10,11 +10,9 @@
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/layer/reasoning/planning/search/repair.h"
-#include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
-#include "skein/role/terrain.h"
 
-// What each of two does alone: by priority, by rule, at the last moment.
+// What each of two does alone: by priority, by rule, in evasion.
 
 namespace skein::reasoning {
 namespace {
@@ -30,11 +28,7 @@ constexpr double kApartMore = 60;      // after the conflict that it is about [s
 constexpr double kRoom = 0.5;        // around others, so that none is met by rounding [m]
 constexpr double kHeightRoom = 0.3;  // the same, up and down [m]
 constexpr double kRoomTime = 0.1;    // the same, along [s]
-constexpr double kLongestLastMoment = 15;  // [s]
-constexpr double kSteps = 1.5;             // heights that are left at the last moment
-constexpr double kGroundAhead = 500;       // that is looked at [m]
-constexpr double kGroundStep = 50;         // [m]
-constexpr double kNear = 3000;             // others that plans are made around [m]
+constexpr double kNear = 3000;       // others that plans are made around [m]
 constexpr double kEvades = 15, kBothEvade = 9;  // before a conflict [s]
 constexpr std::size_t kFew = 3;                 // conflicts that are solved one by one
 constexpr std::array kOwnStrengths = {1.0, 1.7, 3.0};
@@ -107,19 +101,6 @@ double Separator::begin_of_action(const Conflict& conflict, Time now) const {
 NegotiatingFlight Separator::leaving_for(const Conflict& conflict,
                                          const PathQuery& query) const {
   return {own_.plan, rejoins(conflict.meeting.end + kRejoinsAfter), query.limits};
-}
-
-// An altitude, or as much higher as the ground ahead asks for.
-double Separator::safe_altitude(const SeparationStep& step, double course,
-                                double altitude) const {
-  if (!step.query.terrain) return altitude;
-  double floor = altitude;
-  for (double ahead = 0; ahead <= kGroundAhead; ahead += kGroundStep) {
-    const Vec2 place = geo::horizontal(step.p_N) + ahead * geo::unit(course);
-    floor = std::max(
-        floor, step.query.terrain->elevation_msl(place) + step.query.ground_clearance);
-  }
-  return floor;
 }
 
 // Each by the rules of the air, whatever the other does.
@@ -291,59 +272,6 @@ bool Separator::by_evasion(const SeparationStep& step, const Conflict& conflict)
          "evades"},
         step.now);
   return true;
-}
-
-// The higher climbs, the lower sinks; at one height the lower id climbs. Straight on
-// until the other has passed.
-bool Separator::at_the_last_moment(const SeparationStep& step, const Conflict& conflict) {
-  const TeamFlight* other = team_.find(conflict.other);
-  if (!other) return false;
-  const TeamFlight::Expected expected = other->expected(step.now);
-  if (!expected.plan) return false;
-  constexpr double kSameHeight = 1;
-  const double now = step.now.seconds();
-  const double over = model::moment_at(*expected.plan, now).p_N.z() - step.p_N.z();
-  const bool up = std::abs(over) > kSameHeight ? over > 0 : self_ < conflict.other;
-  const double course = geo::bearing(step.v_N.head<2>());
-  const double height = (up ? 1 : -1) * kSteps * conflict.separation.vertical;
-  const double climb = safe_altitude(step, course, -step.p_N.z() + height) + step.p_N.z();
-  const auto flight = flight_at_height(step, conflict, climb);
-  if (!flight) return false;
-  last_moment_until_ = Time::from_seconds(
-      std::min(conflict.meeting.closest_time + kClearTime, now + kLongestLastMoment));
-  const std::string_view what =
-      up ? "climbs away at the last moment" : "sinks away at the last moment";
-  adopt(*flight,
-        {now, rejoins(conflict.meeting.end + kRejoinsAfter), conflict.meeting.end,
-         SeparationMethod::kLastMoment, conflict.other, 0, what},
-        step.now);
-  return true;
-}
-
-// From where the aircraft is straight on, so much higher, and then on.
-std::optional<FlightPlan> Separator::flight_at_height(const SeparationStep& step,
-                                                      const Conflict& conflict,
-                                                      double climb) const {
-  const double now = step.now.seconds();
-  const NegotiatingFlight own = leaving_for(conflict, step.query);
-  const FlightPlan part = planning::part_of(own_.plan, now, own.rejoins);
-  if (part.empty()) return std::nullopt;
-  const double rate = climb > 0 ? own.limits.climb_rate : own.limits.sink_rate;
-  const double lasts =
-      model::climb_time(std::abs(climb), rate, own.limits.climb_acceleration);
-  const double apart =
-      std::clamp(conflict.meeting.closest_time, now, now + kLongestLastMoment) + lasts;
-  ConflictOfFlight of_flight{part, own.limits, now, now, now, apart, conflict.separation};
-  const auto straight =
-      straight_on_flight(of_flight, step.p_N, step.v_N, apart + kClearTime - now);
-  if (!straight) return std::nullopt;
-  const ConflictOfFlight of_straight{*straight, own.limits,         now, now, now,
-                                     apart,     conflict.separation};
-  auto flight = manoeuvred(
-      {climb > 0 ? ManoeuvreKind::kUp : ManoeuvreKind::kDown, std::abs(climb), 0},
-      of_straight);
-  if (flight) append_rest(*flight, own_.plan, own.rejoins);
-  return flight;
 }
 
 }  // namespace skein::reasoning

@@ -294,6 +294,45 @@ TEST(Separator, TheLastMomentEndsAboveTheGround) {
   EXPECT_TRUE(says_so) << "others count with where it flies";
 }
 
+// The flight of an aircraft that is told of another seconds before they meet.
+FlightPlan at_the_last_moment(EntityId self, const FlightElement& own,
+                              const FlightElement& others) {
+  SeparationOptions options;
+  options.method = SeparationMethod::kAuto;
+  Message message = plan_of_one(others);
+  message.from = EntityId{3 - self.value};
+  Separator separator(self, options);
+  separator.listen(Time(), {&message, 1});
+  std::vector<Message> out;
+  const PathQuery query;
+  separator.step(
+      {Time(), own.p_N, Vec3(20, 0, 0), 0, 0, FlightPriority::kNormal, query, {}},
+      {1, {own}, {200}}, out);
+  return separator.plan();
+}
+
+TEST(Separator, TheLastMomentCountsWithTheClimbThatTheOtherHasSaid) {
+  const FlightElement to = north();
+  FlightElement back = southwards(to, Vec3(180, 0, -100));
+  back.climb_rate = 3;
+  const FlightPlan plan = at_the_last_moment(EntityId{1}, to, back);
+  EXPECT_GT(model::moment_at(plan, 4).p_N.z(), -99)
+      << "the lower number climbs only where both are as high as each other";
+}
+
+TEST(Separator, TheLastMomentTurnsWhereAClimbIsTooSlow) {
+  const FlightElement to = north();
+  const FlightElement back = southwards(to, Vec3(150, 10, -100));
+  const FlightPlan plan = at_the_last_moment(EntityId{2}, to, back);
+  double least = 1;
+  for (double t = 0; t < 10; t += 0.1) {
+    const Vec3 apart = model::moment_at({back}, t).p_N - model::moment_at(plan, t).p_N;
+    least = std::min(least, Separation{50, 20}.ratio(apart.head<2>().norm(),
+                                                     std::abs(apart.z())));
+  }
+  EXPECT_GT(least, 0.75) << "straight on and 3 m/s down: 0.5";
+}
+
 // Whoever is not where its plan has it is gone around, whatever its plan says.
 TEST(Separator, AMemberOffItsPlanIsAnObstacle) {
   SeparationOptions options;
