@@ -17,15 +17,20 @@ constexpr double kFullTurn = 16777216.0 / (2 * geo::kPi);  // of headings, per r
 constexpr double kTurned = 2e5;                            // of angles turned, per radian
 constexpr double kSpeed = 500;                             // of wind and climb
 constexpr double kAirspeed = 200;
-constexpr std::int64_t kMaxDuration = (1 << 23) - 1;  // [ms]
+constexpr std::int64_t kMaxDuration = (1 << 20) - 1;  // [ms]
 constexpr std::int64_t kMaxTurned = (1 << 23) - 1;
+// What an element is, beside its duration.
 constexpr std::int64_t kVerticalTurn = 1 << 23;
+constexpr std::int64_t kTurns = 1 << 22;
+constexpr std::int64_t kOtherAirspeed = 1 << 21;
+constexpr std::int64_t kClimbs = 1 << 20;
 // Elements join when they are no further apart.
 constexpr double kSamePlace = 0.05;    // [m]
 constexpr double kSameHeading = 1e-4;  // [rad]
 constexpr double kSameWind = 1e-3;     // [m/s]
 constexpr double kSameTime = 2e-3;     // [s]
-constexpr std::size_t kBlock = 25, kElement = 10;
+constexpr std::size_t kJoinedBlock = 6, kPlace = 19;
+constexpr std::int64_t kJoins = 1 << 15;  // in the number of a block's elements
 
 std::int64_t steps(double value, double per_unit) {
   const double scaled = std::floor(value * per_unit + 0.5);
@@ -77,6 +82,34 @@ struct Coded {
   bool vertical_turn = false;
 };
 
+void write(Writer& out, const Coded& c, std::int64_t airspeed_before) {
+  const bool other_airspeed = c.airspeed != airspeed_before;
+  out.put(c.duration | (c.vertical_turn ? kVerticalTurn : 0) |
+              (c.turned != 0 ? kTurns : 0) | (other_airspeed ? kOtherAirspeed : 0) |
+              (c.climb_rate != 0 ? kClimbs : 0),
+          3, false);
+  if (c.turned != 0) out.put(c.turned, 3, true);
+  if (other_airspeed) out.put(c.airspeed, 2, false);
+  if (c.climb_rate != 0) out.put(c.climb_rate, 2, true);
+}
+
+// @returns  nothing where bytes are missing.
+std::optional<Coded> read(Reader& in, std::int64_t airspeed_before) {
+  if (!in.has(3)) return std::nullopt;
+  const std::int64_t first = in.get(3, false);
+  const bool turns = (first & kTurns) != 0, climbs = (first & kClimbs) != 0;
+  const bool other_airspeed = (first & kOtherAirspeed) != 0;
+  if (!in.has((turns ? 3u : 0u) + (other_airspeed ? 2u : 0u) + (climbs ? 2u : 0u)))
+    return std::nullopt;
+  Coded c;
+  c.duration = first & kMaxDuration;
+  c.vertical_turn = (first & kVerticalTurn) != 0;
+  if (turns) c.turned = in.get(3, true);
+  c.airspeed = other_airspeed ? in.get(2, false) : airspeed_before;
+  if (climbs) c.climb_rate = in.get(2, true);
+  return c;
+}
+
 // Shorter parts of an element whose duration or turn does not fit.
 std::vector<FlightElement> parts_of(const FlightElement& e) {
   const double longest = static_cast<double>(kMaxDuration - 1) / kSecond;
@@ -124,31 +157,44 @@ bool joins(const FlightElement& last, const FlightElement& next) {
   const FlightMoment at = end_of(last);
   return std::abs(last.start + last.duration - next.start) < kSameTime &&
          (at.p_N - next.p_N).norm() < kSamePlace &&
-         std::abs(geo::wrap_pi(at.heading - next.heading)) < kSameHeading &&
-         (last.wind - next.wind).norm() < kSameWind;
+         std::abs(geo::wrap_pi(at.heading - next.heading)) < kSameHeading;
 }
 
-void write_block(Writer& out, std::span<const FlightElement> elements) {
+bool same_wind(const FlightElement& last, const FlightElement& next) {
+  return (last.wind - next.wind).norm() < kSameWind;
+}
+
+// What it ends with is not said where its block ends: level.
+bool turns_to_climb(const FlightElement& last) {
+  const double climb = last.climb_rate + last.climb_acceleration * last.duration;
+  return last.climb_acceleration != 0 && steps(climb, kSpeed) != 0;
+}
+
+void write_block(Writer& out, std::span<const FlightElement> elements, bool joined) {
   const FlightElement& first = elements.front();
-  out.put(steps(first.start, kSecond), 4, false);
-  for (int k = 0; k < 3; ++k) out.put(steps(first.p_N[k], kMetre), 4, true);
-  out.put(steps(geo::wrap_pi(first.heading), kFullTurn) & 0xffffff, 3, false);
+  const auto count = static_cast<std::int64_t>(elements.size());
+  out.put(count, 2, true);
+  if (joined) out.bytes_.back() |= kJoins >> 8;
   for (int k = 0; k < 2; ++k) out.put(steps(first.wind[k], kSpeed), 2, true);
-  out.put(static_cast<std::int64_t>(elements.size()), 2, false);
+  if (!joined) {
+    out.put(steps(first.start, kSecond), 4, false);
+    for (int k = 0; k < 3; ++k) out.put(steps(first.p_N[k], kMetre), 4, true);
+    out.put(steps(geo::wrap_pi(first.heading), kFullTurn) & 0xffffff, 3, false);
+  }
   // Times and headings are rounded as sums, so that errors do not add up.
-  std::int64_t time = steps(first.start, kSecond), heading = 0;
+  std::int64_t time = steps(first.start, kSecond), heading = 0, airspeed = 0;
   double turned = 0;
   for (const FlightElement& e : elements) {
     const std::int64_t end = steps(e.start + e.duration, kSecond);
     turned += e.turn_rate * e.duration;
     const std::int64_t turned_until = steps(turned, kTurned);
-    const std::int64_t duration = std::max<std::int64_t>(0, end - time);
-    out.put(duration | (e.climb_acceleration != 0 ? kVerticalTurn : 0), 3, false);
-    out.put(turned_until - heading, 3, true);
-    out.put(steps(e.airspeed, kAirspeed), 2, false);
-    out.put(steps(e.climb_rate, kSpeed), 2, true);
-    time += duration;
+    const Coded coded{std::max<std::int64_t>(0, end - time), turned_until - heading,
+                      steps(e.airspeed, kAirspeed), steps(e.climb_rate, kSpeed),
+                      e.climb_acceleration != 0};
+    write(out, coded, airspeed);
+    time += coded.duration;
     heading = turned_until;
+    airspeed = coded.airspeed;
   }
 }
 
@@ -160,23 +206,30 @@ bool is_finite(const FlightElement& e) {
 }
 
 bool read_block(Reader& in, FlightPlan& plan) {
-  if (!in.has(kBlock)) return false;
-  double start = in.number(4, false, kSecond);
-  FlightState at;
-  for (int k = 0; k < 3; ++k) at.p_N[k] = in.number(4, true, kMetre);
-  at.heading = geo::wrap_pi(in.number(3, false, kFullTurn));
+  if (!in.has(kJoinedBlock)) return false;
+  const std::int64_t first = in.get(2, false);
+  const bool joined = (first & kJoins) != 0;
+  const auto count = static_cast<std::size_t>(first & (kJoins - 1));
   Vec2 wind;
   for (int k = 0; k < 2; ++k) wind[k] = in.number(2, true, kSpeed);
-  const auto count = static_cast<std::size_t>(in.get(2, false));
-  if (count == 0 || !in.has(count * kElement)) return false;
-  std::vector<Coded> coded(count);
-  for (Coded& c : coded) {
-    c.duration = in.get(3, false);
-    c.vertical_turn = c.duration >= kVerticalTurn;
-    c.duration &= kMaxDuration;
-    c.turned = in.get(3, true);
-    c.airspeed = in.get(2, false);
-    c.climb_rate = in.get(2, true);
+  if (count == 0 || (joined ? plan.empty() : !in.has(kPlace))) return false;
+  double start = 0;
+  FlightState at;
+  if (joined) {
+    const FlightMoment end = end_of(plan.back());
+    at = {end.p_N, end.heading};
+    start = end_time_of(plan);
+  } else {
+    start = in.number(4, false, kSecond);
+    for (int k = 0; k < 3; ++k) at.p_N[k] = in.number(4, true, kMetre);
+    at.heading = geo::wrap_pi(in.number(3, false, kFullTurn));
+  }
+  std::vector<Coded> coded;
+  for (std::int64_t airspeed = 0; coded.size() < count;) {
+    const auto c = read(in, airspeed);
+    if (!c) return false;
+    airspeed = c->airspeed;
+    coded.push_back(*c);
   }
   for (std::size_t k = 0; k < count; ++k) {
     if (coded[k].duration == 0) continue;
@@ -202,8 +255,12 @@ std::optional<std::vector<std::uint8_t>> coded_flight(const FlightPlan& plan) {
   Writer out;
   for (std::size_t first = 0; first < all.size();) {
     std::size_t end = first + 1;
-    while (end < all.size() && joins(all[end - 1], all[end])) ++end;
-    write_block(out, std::span(all).subspan(first, end - first));
+    while (end < all.size() && joins(all[end - 1], all[end]) &&
+           same_wind(all[end - 1], all[end]))
+      ++end;
+    write_block(out, std::span(all).subspan(first, end - first),
+                first > 0 && joins(all[first - 1], all[first]) &&
+                    !turns_to_climb(all[first - 1]));
     first = end;
   }
   if (!out.fits_) return std::nullopt;

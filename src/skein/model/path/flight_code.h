@@ -9,28 +9,31 @@
 
 namespace skein::model {
 
-/// A flight in few bytes, for slow modems: blocks of elements that join, each of 25 bytes
-/// and 10 for every element. All numbers are fixed-point, little-endian.
+/// A flight in few bytes, for slow modems: blocks of elements that join in one wind, each
+/// of 25 bytes, or 6 where it joins the one before, and 3 to 10 for every element. All
+/// numbers are fixed-point, little-endian.
 ///
 /// | block | bytes | unit |
 /// |---|---|---|
-/// | start | 4 | ms of the run's clock |
-/// | position: north, east, down | 3 x 4 | mm |
-/// | heading | 3 | 2 pi / 2^24 |
+/// | elements; uppermost bit: it joins the block before | 2 | |
 /// | wind: north, east | 2 x 2 | 2 mm/s |
-/// | elements | 2 | |
+/// | start, unless it joins | 4 | ms of the run's clock |
+/// | position: north, east, down, unless it joins | 3 x 4 | mm |
+/// | heading, unless it joins | 3 | 2 pi / 2^24 |
 ///
 /// | element | bytes | unit |
 /// |---|---|---|
-/// | duration; uppermost bit: a vertical turn | 3 | ms |
-/// | heading turned | 3 | 5 urad |
-/// | airspeed | 2 | 5 mm/s |
-/// | climb rate at the start | 2 | 2 mm/s |
+/// | duration; the four uppermost bits say what it is | 3 | ms |
+/// | heading turned, if it turns (bit 22) | 3 | 5 urad |
+/// | airspeed, if other than that of the element before (bit 21) | 2 | 5 mm/s |
+/// | climb rate at the start, if it is not level (bit 20) | 2 | 2 mm/s |
 ///
-/// A vertical turn ends with the climb rate of the next element of its block, or level.
-/// Who sends a flight flies decoded_flight() of it, so that all know the same one.
+/// With bit 23 it is a vertical turn. An airspeed before the first is 0.
+/// Behind a vertical turn to a climb no block joins. A vertical turn ends with the climb
+/// rate of the next element of its block, or level. Who sends a flight flies
+/// decoded_flight() of it, so that all know the same one.
 ///
-/// @returns  nothing for an empty plan, one of more than 65,535 elements, or one whose
+/// @returns  nothing for an empty plan, one of more than 32,767 elements, or one whose
 ///           numbers do not fit.
 std::optional<std::vector<std::uint8_t>> coded_flight(const FlightPlan& plan);
 

@@ -327,8 +327,8 @@ TEST(Separator, TheLastMomentTurnsWhereAClimbIsTooSlow) {
   double least = 1;
   for (double t = 0; t < 10; t += 0.1) {
     const Vec3 apart = model::moment_at({back}, t).p_N - model::moment_at(plan, t).p_N;
-    least = std::min(least, Separation{50, 20}.ratio(apart.head<2>().norm(),
-                                                     std::abs(apart.z())));
+    least = std::min(
+        least, Separation{50, 20}.ratio(apart.head<2>().norm(), std::abs(apart.z())));
   }
   EXPECT_GT(least, 0.75) << "straight on and 3 m/s down: 0.5";
 }
