@@ -206,8 +206,8 @@ class Separator {
 
   // At the last moment (separator_last_moment.cpp).
   bool at_the_last_moment(const SeparationStep& step, const Conflict& conflict);
-  bool climbs_away(const SeparationStep& step, const Conflict& conflict,
-                   const FlightPlan& theirs) const;
+  bool climbs_away(const SeparationStep& step, const TeamFlight& other,
+                   const FlightPlan& theirs, double closest) const;
   std::optional<FlightPlan> flight_aside(const SeparationStep& step,
                                          const Conflict& conflict, double turn,
                                          bool up) const;

@@ -19,6 +19,7 @@ namespace {
 constexpr double kLongest = 15;       // away from the plan [s]
 constexpr double kHeights = 1.5;      // vertical separations, up or down
 constexpr double kSameHeight = 1;     // [m]
+constexpr double kClearlyOver = 3;    // more than heights are wrong by [m]
 constexpr double kGroundAhead = 500;  // that is looked at [m]
 constexpr double kGroundStep = 50;    // [m]
 constexpr double kWorthATurn = 0.05;  // of the ratio that is kept
@@ -50,18 +51,23 @@ double Separator::safe_altitude(const SeparationStep& step, double course,
   return floor;
 }
 
-// The higher climbs, the lower sinks, by their plans for when they are closest, and if
-// those are as high as each other by where they are; at one height the lower id climbs.
-bool Separator::climbs_away(const SeparationStep& step, const Conflict& conflict,
-                            const FlightPlan& theirs) const {
-  const auto is_over = [&](double time) {
-    return model::moment_at(theirs, time).p_N.z() -
-           model::moment_at(own_.plan, time).p_N.z();
-  };
+// The higher climbs, the lower sinks: by where both are, as far as that is clear, as
+// plans may be new and not heard of; else by their plans for when they are closest. At
+// one height the lower id climbs.
+bool Separator::climbs_away(const SeparationStep& step, const TeamFlight& other,
+                            const FlightPlan& theirs, double closest) const {
   const double now = step.now.seconds();
-  for (const double time : {std::max(now, conflict.meeting.closest_time), now})
-    if (const double over = is_over(time); std::abs(over) > kSameHeight) return over > 0;
-  return self_ < conflict.other;
+  double over = model::moment_at(theirs, now).p_N.z() - step.p_N.z();
+  if (other.place) {
+    const double age = (step.now - other.place->sent).seconds();
+    over = other.place->p_N.z() + other.place->v_N.z() * age - step.p_N.z();
+  }
+  if (std::abs(over) > kClearlyOver) return over > 0;
+  const double then = std::max(now, closest);
+  const double later =
+      model::moment_at(theirs, then).p_N.z() - model::moment_at(own_.plan, then).p_N.z();
+  if (std::abs(later) > kSameHeight) return later > 0;
+  return std::abs(over) > kSameHeight ? over > 0 : self_ < other.who;
 }
 
 // Up or down, and aside where that keeps more, straight on until the other has passed.
@@ -71,7 +77,8 @@ bool Separator::at_the_last_moment(const SeparationStep& step, const Conflict& c
   const TeamFlight::Expected expected = other->expected(step.now);
   if (!expected.plan) return false;
   const double now = step.now.seconds();
-  const bool up = climbs_away(step, conflict, *expected.plan);
+  const bool up =
+      climbs_away(step, *other, *expected.plan, conflict.meeting.closest_time);
   const std::vector<KnownFlight> others = known_but(self_, step.now);  // all others
   std::optional<FlightPlan> best;
   double most = 0;

@@ -16,6 +16,7 @@ namespace {
 // Sigmas of room in which a stranger is worth another plan: fewer than what that keeps,
 // or the noise of its track would ask for one again and again.
 constexpr double kActs = 1;
+constexpr double kKept = 2;      // that flights around strangers keep, in sigmas
 constexpr double kClear = 3;     // the way to the goal, before it is flown [s]
 constexpr int kWarning = 3;      // level of alert
 constexpr double kTryAgain = 2;  // after no plan was found [s]
@@ -95,12 +96,12 @@ void StrangerAvoidance::escape(const StrangerView& view) {
   climb_ = *escapes_up_ ? height : -height;
 }
 
-// The first intersection that is worth another plan.
-std::optional<PredictedIntersection> StrangerAvoidance::first_of(
-    const StrangerView& view) {
+// The first intersection with rooms of so many sigmas.
+std::optional<PredictedIntersection> StrangerAvoidance::first_of(const StrangerView& view,
+                                                                 double sigmas) {
   std::optional<PredictedIntersection> first;
   for (const Stranger& stranger : view.strangers) {
-    const auto inner = predicted_intersection(view.plan, stranger, view.now, kActs);
+    const auto inner = predicted_intersection(view.plan, stranger, view.now, sigmas);
     if (!inner || (first && first->begin <= inner->begin)) continue;
     first = predicted_intersection(view.plan, stranger, view.now);
     stranger_ = stranger.name;
@@ -113,7 +114,7 @@ StrangerAvoidance::Action StrangerAvoidance::step(const StrangerView& view) {
   if (view.strangers.empty() && !turning_) return Action::kNone;
   const bool turn = must_turn(view);
   if (turning_) return turn_on(view, turn);
-  const std::optional<PredictedIntersection> first = first_of(view);
+  const std::optional<PredictedIntersection> first = first_of(view, kActs);
   begin_ = view.now + reaction_;
   if (!first) {
     if (!around_) return Action::kNone;
@@ -153,7 +154,8 @@ StrangerAvoidance::Action StrangerAvoidance::turn_on(const StrangerView& view,
   const StrangerView from_here{
       view.now,       view.p_N,   view.v_N,   here,       model::end_time_of(here),
       view.strangers, view.query, view.zones, view.rooms, view.kind};
-  if (const auto first = first_of(from_here)) {
+  // A flight that is as good as met would be left again a second later.
+  if (const auto first = first_of(from_here, kKept)) {
     auto flight = flight_around(from_here, *first, view.now);
     if (!flight) return Action::kTrack;
     here = *std::move(flight);
@@ -163,6 +165,7 @@ StrangerAvoidance::Action StrangerAvoidance::turn_on(const StrangerView& view,
   begin_ = view.now;
   around_ = true;
   turning_ = false;
+  plan_again_ = view.now;
   return Action::kPlan;
 }
 

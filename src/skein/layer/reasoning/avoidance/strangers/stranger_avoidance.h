@@ -46,7 +46,7 @@ class StrangerAvoidance {
   bool plan_around(const StrangerView& view);
   bool must_turn(const StrangerView& view);
   void escape(const StrangerView& view);
-  std::optional<PredictedIntersection> first_of(const StrangerView& view);
+  std::optional<PredictedIntersection> first_of(const StrangerView& view, double sigmas);
   Action turn_on(const StrangerView& view, bool turn);
 
   double reaction_;
