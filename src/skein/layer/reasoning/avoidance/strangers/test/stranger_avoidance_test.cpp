@@ -1,0 +1,87 @@
+#include "skein/layer/reasoning/avoidance/strangers/stranger_avoidance.h"
+
+#include <gtest/gtest.h>
+
+#include "skein/base/random.h"
+#include "skein/geo/rotation.h"
+#include "skein/layer/reasoning/planning/search/repair.h"
+#include "skein/model/path/flight_plan.h"
+
+namespace skein::reasoning::stranger_avoidance_test {
+namespace {
+
+using Action = StrangerAvoidance::Action;
+
+FlightPlan north() {
+  FlightElement e;
+  e.duration = 200;
+  e.airspeed = 20;
+  e.p_N = Vec3(0, 0, -100);
+  return {e};
+}
+
+// One that comes near before anything can be planned.
+Stranger near_by(RandomStream& random) {
+  Stranger stranger;
+  const double bearing = random.uniform(-1.5, 1.5);
+  const Vec2 from = random.uniform(650, 1100) * geo::unit(bearing);
+  stranger.p_N = Vec3(from.x(), from.y(), -100);
+  const Vec2 v = random.uniform(15, 45) *
+                 geo::unit(geo::wrap_pi(bearing + geo::kPi + random.uniform(-0.6, 0.6)));
+  stranger.v_N = Vec3(v.x(), v.y(), 0);
+  stranger.horizontal_sd = 60;
+  stranger.horizontal_speed_sd = 2;
+  stranger.vertical_sd = 20;
+  return stranger;
+}
+
+// Who flies by headings goes back to a plan only where that keeps all that plans around
+// strangers keep: one that keeps less would be left again a second later.
+TEST(StrangerAvoidance, APlanInsteadOfAHeadingKeepsAllThatIsToBeKept) {
+  RandomStream random(7, 1, Purpose::kTest);
+  int headings = 0, plans = 0;
+  for (int k = 0; k < 60; ++k) {
+    Stranger stranger = near_by(random);
+    const PathQuery query;
+    StrangerAvoidance avoidance(2);
+    FlightPlan plan = north();
+    Vec3 p_N = plan.front().p_N, v_N(20, 0, 0);
+    bool turns = false;
+    for (double now = 0; now < 40; ++now) {
+      stranger.time = now;
+      const Stranger seen[] = {stranger};
+      const Action action = avoidance.step(
+          {now, p_N, v_N, plan, model::end_time_of(plan), seen, query, {}, {}});
+      if (action == Action::kPlan) {
+        FlightPlan flown = planning::part_of(plan, now, avoidance.begin());
+        if (turns) {
+          flown.clear();
+          ++plans;
+          EXPECT_FALSE(predicted_intersection(avoidance.flight(), stranger, now))
+              << "case " << k << ", " << now << " s";
+        }
+        flown.insert(flown.end(), avoidance.flight().begin(), avoidance.flight().end());
+        plan = flown;
+      } else if (turns && action == Action::kNone) {
+        break;  // what is wanted is planned anew
+      }
+      turns = action == Action::kTrack;
+      headings += turns ? 1 : 0;
+      if (turns) {
+        const Vec2 v = 20 * geo::unit(avoidance.track());
+        v_N = Vec3(v.x(), v.y(), 0);
+        p_N += v_N;
+      } else {
+        const model::FlightMoment next = model::moment_at(plan, now + 1);
+        p_N = next.p_N;
+        v_N = next.v_N;
+      }
+      stranger.p_N += stranger.v_N;
+    }
+  }
+  EXPECT_GT(headings, 20);
+  EXPECT_GT(plans, 5);
+}
+
+}  // namespace
+}  // namespace skein::reasoning::stranger_avoidance_test
