@@ -55,7 +55,8 @@ function(skein_module name)
     # They replace operator new, and the compiler warns where it inlines that elsewhere.
     set(counting ${ARG_TESTS})
     list(FILTER counting INCLUDE REGEX "/allocations?(_test)?\\.cpp$")
-    set_source_files_properties(${counting} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    set_source_files_properties(${counting} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON
+      COMPILE_OPTIONS -Wno-mismatched-new-delete)
     target_compile_definitions(${name}_test PRIVATE
       SKEIN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
       SKEIN_SHARED_DATA="${SKEIN_SHARED_DATA}")

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "skein/layer/reasoning/avoidance/manoeuvre/manoeuvred_flight.h"
+#include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
