@@ -258,9 +258,12 @@ std::optional<std::vector<std::uint8_t>> coded_flight(const FlightPlan& plan) {
     while (end < all.size() && joins(all[end - 1], all[end]) &&
            same_wind(all[end - 1], all[end]))
       ++end;
-    write_block(out, std::span(all).subspan(first, end - first),
-                first > 0 && joins(all[first - 1], all[first]) &&
-                    !turns_to_climb(all[first - 1]));
+    // What lasts no millisecond is not there to be joined.
+    const bool joined =
+        first > 0 && joins(all[first - 1], all[first]) &&
+        !turns_to_climb(all[first - 1]) &&
+        steps(all[first].start, kSecond) > steps(all.front().start, kSecond);
+    write_block(out, std::span(all).subspan(first, end - first), joined);
     first = end;
   }
   if (!out.fits_) return std::nullopt;

@@ -161,6 +161,20 @@ TEST(FlightCode, ABlockBehindATurnToAClimbSaysWhereItBegins) {
   EXPECT_LT((moment_at(*again, 30).p_N - moment_at(plan, 30).p_N).norm(), 0.1);
 }
 
+TEST(FlightCode, WhatLastsNoMillisecondIsNotJoined) {
+  FlightElement moment;
+  moment.duration = 1e-4;
+  moment.airspeed = 20;
+  FlightElement straight = moment;
+  straight.start = moment.duration;
+  straight.p_N = end_of(moment).p_N;
+  straight.wind = Vec2(3, 0);
+  straight.duration = 30;
+  const auto again = decoded_flight(*coded_flight({moment, straight}));
+  ASSERT_TRUE(again);
+  EXPECT_LT((moment_at(*again, 20).p_N - position(straight, 20)).norm(), 0.1);
+}
+
 TEST(FlightCode, NothingIsThereToJoinAtTheBegin) {
   auto coded = *coded_flight(some_flight(1));
   coded[1] |= 0x80;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/manoeuvred_flight.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
@@ -81,13 +82,15 @@ bool Separator::at_the_last_moment(const SeparationStep& step, const Conflict& c
   const bool up =
       climbs_away(step, *other, *expected.plan, conflict.meeting.closest_time);
   const std::vector<KnownFlight> others = known_but(self_, step.now);  // all others
+  FlightCheck check(step.query, step.zones);
   std::optional<FlightPlan> best;
   double most = 0;
   for (const double turn : kTurns) {
     auto flight = flight_aside(step, conflict, geo::radians(turn), up);
     if (!flight) continue;
     const double kept = kept_by(*flight, others, now, conflict.meeting.end + kClearTime);
-    if (best && kept < most + kWorthATurn) continue;
+    // No turn leads into a zone or the ground.
+    if (best && (kept < most + kWorthATurn || !check.is_free(*flight))) continue;
     best = std::move(flight);
     most = kept;
   }
