@@ -296,7 +296,8 @@ TEST(Separator, TheLastMomentEndsAboveTheGround) {
 
 // The flight of an aircraft that is told of another seconds before they meet.
 FlightPlan at_the_last_moment(EntityId self, const FlightElement& own,
-                              const FlightElement& others) {
+                              const FlightElement& others,
+                              const std::vector<Zone>& zones = {}) {
   SeparationOptions options;
   options.method = SeparationMethod::kAuto;
   Message message = plan_of_one(others);
@@ -306,7 +307,7 @@ FlightPlan at_the_last_moment(EntityId self, const FlightElement& own,
   std::vector<Message> out;
   const PathQuery query;
   separator.step(
-      {Time(), own.p_N, Vec3(20, 0, 0), 0, 0, FlightPriority::kNormal, query, {}},
+      {Time(), own.p_N, Vec3(20, 0, 0), 0, 0, FlightPriority::kNormal, query, zones},
       {1, {own}, {200}}, out);
   return separator.plan();
 }
@@ -331,6 +332,20 @@ TEST(Separator, TheLastMomentTurnsWhereAClimbIsTooSlow) {
         least, Separation{50, 20}.ratio(apart.head<2>().norm(), std::abs(apart.z())));
   }
   EXPECT_GT(least, 0.75) << "straight on and 3 m/s down: 0.5";
+}
+
+TEST(Separator, TheLastMomentTurnsIntoNoZone) {
+  std::vector<Zone> zones(2);
+  zones[0].area = Disc{Vec2(60, 75), 60};
+  zones[1].area = Disc{Vec2(60, -75), 60};
+  const FlightElement to = north();
+  const FlightElement back = southwards(to, Vec3(150, 10, -100));
+  const FlightPlan plan = at_the_last_moment(EntityId{2}, to, back, zones);
+  for (double t = 0; t < 6; t += 0.1) {
+    const Vec2 p = model::moment_at(plan, t).p_N.head<2>();
+    EXPECT_GT((p - Vec2(60, 75)).norm(), 60) << t;
+    EXPECT_GT((p - Vec2(60, -75)).norm(), 60) << t;
+  }
 }
 
 // Whoever is not where its plan has it is gone around, whatever its plan says.
