@@ -266,9 +266,9 @@ TEST(FixedWingFlight, LeavesAStall) {
     for (double t = 0; t < 30; t += kStep) {
       Air air;
       air.wind_N.z() = t < 14 ? 6 : t < 24 ? -rising : 0;
-      plant.step(s,
-                 control.control({0, kHeight, 0, airframe.cruise}, truth(s, {}), kStep),
-                 air, kStep);
+      const Actuators u = control.control({0, kHeight, 0, airframe.cruise},
+                                          truth(s, Vec3::Zero()), kStep);
+      plant.step(s, u, air, kStep);
       if (t > 14) max = std::max(max, alpha(s, air.wind_N));
       if (t > 18) after = std::max(after, alpha(s, air.wind_N));
     }
