@@ -212,6 +212,23 @@ missions:
   const after = await until(page, "a takeover", flown, (each) => each?.state === "taken-over", 90000);
   check(after.shares.some(({ entity_id, task }) => task === lost.task && entity_id !== lost.entity_id),
     "another aircraft goes on with the task of one that fails");
+
+  // A task of the team is changed by the form, and withdrawn by its button.
+  const tasks = () => [...window.skein.world.teamTasks.values()].map(({ number, state }) => `${number} ${state}`).join();
+  await page.evaluate(() => window.skein.map.select([5]));
+  await page.getByRole("button", { name: "Give a task" }).click();
+  const form = page.locator(".task-form:visible");
+  await form.getByLabel("Who flies it").selectOption({ label: "the team, in place of task 2 (Measure at a point)" });
+  await form.getByLabel("Task", { exact: true }).selectOption("measure");
+  await form.getByPlaceholder("north").fill("400");
+  await form.getByPlaceholder("east").fill("100");
+  await form.getByRole("button", { name: "Send" }).click();
+  await until(page, "another task in the place of one", tasks, (text) => text.includes("2 withdrawn") && text.includes("4 "));
+  await page.click("#tab-mission");
+  await page.locator("li.card", { hasText: "1: Measure at a point" }).getByRole("button", { name: "Withdraw" }).click();
+  await until(page, "a task that is withdrawn", tasks, (text) => text.includes("1 withdrawn"));
+  check(true, "tasks of a team are changed and withdrawn");
+  await page.screenshot({ path: join(folder, "team-tasks.png") });
   await page.context().close();
   await run.stop();
 }

@@ -1,6 +1,6 @@
 /** All that is known of the run, built from the items of the feed. */
 import type { AirTraffic, Alert, Arrival, Conflict, Crossing, Entity, Event, Footprint, Forecast, GroundObject, ObjectBelief,
-  ObjectMotion, Perimeter, Planner, RadioLink, Reading, RecommendationChange, TeamAllocation, TeamLead, TrafficMotion, TrafficTrack,
+  ObjectMotion, Perimeter, Planner, RadioLink, Reading, RecommendationChange, TeamAllocation, TeamLead, TeamTaskChange, TrafficMotion, TrafficTrack,
   ZoneRecord, Detection } from "../report/records";
 import { Fleet, PlayTime, type ShownTime } from "./fleet";
 import type { Frame } from "./frames";
@@ -75,6 +75,8 @@ export class World {
   readonly footprints = new Map<number, Footprint>();
   readonly allocations = new Map<string, TeamAllocation>();
   readonly leads = new Map<number, TeamLead>();
+  /** Of each station's team, by station and number. */
+  readonly teamTasks = new Map<string, TeamTaskChange>();
   readonly alerts = new Map<string, Alert>();
   readonly links = new Map<string, Link>();
   readonly traffic = new Map<number, AirTraffic>();
@@ -127,7 +129,7 @@ export class World {
     this.truth.clear();
     for (const map of [this.entities, this.perimeters, this.forecasts, this.arrivals, this.zones, this.objects, this.objectMotions,
       this.objectBeliefs, this.missions, this.metrics, this.tasks, this.paths, this.reasons, this.planners, this.flown, this.footprints,
-      this.allocations, this.leads, this.alerts, this.recommendations, this.links, this.traffic, this.trafficMotions, this.trafficTracks, this.ids])
+      this.allocations, this.leads, this.teamTasks, this.alerts, this.recommendations, this.links, this.traffic, this.trafficMotions, this.trafficTracks, this.ids])
       (map as Map<unknown, unknown>).clear();
     this.found.clear();
     for (const list of [this.events, this.crossings, this.readings, this.detections, this.conflicts]) list.length = 0;
@@ -194,6 +196,10 @@ export class World {
     team_lead: (lead: TeamLead) => { this.leads.set(lead.entity_id, lead); this.touch("allocations"); },
     team_allocation: (each: TeamAllocation) => {
       this.allocations.set(`${each.team} ${each.proposer_id} ${each.number}`, each);
+      this.touch("allocations");
+    },
+    team_task_change: (task: TeamTaskChange) => {
+      this.teamTasks.set(`${task.entity_id} ${task.number}`, task);
       this.touch("allocations");
     },
     alert: (alert: Alert) => {

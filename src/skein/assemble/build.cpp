@@ -359,7 +359,8 @@ class Builder {
           {EntityId{k},
            scenario_.stations[k].name,
            {},
-           team_desk(scenario_, k, place_of(scenario_.stations[k]), kinds_.kinds())});
+           team_desk(scenario_, k, place_of(scenario_.stations[k]), zones_,
+                     kinds_.kinds())});
     for (const AircraftGroup& group : scenario_.aircraft) {
       StationTeam& station = teams_[station_of(scenario_, group)];
       for (int i = 0; i < group.count; ++i) {

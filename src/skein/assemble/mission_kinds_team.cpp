@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 
 #include "skein/assemble/mission_fields.h"
 #include "skein/assemble/mission_kinds.h"
@@ -259,7 +261,9 @@ MadeTeam make_tasks(const TasksChoice& choice, const MissionContext& c) {
 }
 
 struct DelegatedChoice : TaskChoice {
-  Time after;
+  std::string name;
+  std::vector<std::string> after;
+  Time at;
   bool needs_camera = false, needs_fire_sensor = false, group = false;
 };
 
@@ -277,7 +281,12 @@ Fields<DelegatedTasksChoice> delegated_fields() {
           .file(
               "plan", [](T & t) -> auto& { return t.plan; },
               "A plan that is flown as it is, instead. Null: a task.")
-          .duration_s("at_s", &T::after,
+          .text("name", &T::name, "By which others come after it. Empty: none do.")
+          .text("after", &T::after,
+                "Names of tasks of the list that are done, or withdrawn, before it is "
+                "flown.")
+          .items({.at_most = 100})
+          .duration_s("at_s", &T::at,
                       "When the operator adds it, from the begin of the mission.")
           .boolean("needs_camera", &T::needs_camera, "Only aircraft with a camera may.")
           .boolean("needs_fire_sensor", &T::needs_fire_sensor,
@@ -292,6 +301,55 @@ Fields<DelegatedTasksChoice> delegated_fields() {
                            .object("tasks", &DelegatedTasksChoice::tasks, one,
                                    "What the team is to do, in any order.")
                            .items({.at_most = 1000}));
+}
+
+// The places of named tasks in a list.
+Result<std::map<std::string, std::size_t>> named_tasks(
+    const std::vector<DelegatedChoice>& choices) {
+  std::map<std::string, std::size_t> named;
+  for (std::size_t k = 0; k < choices.size(); ++k)
+    if (!choices[k].name.empty() && !named.emplace(choices[k].name, k).second)
+      return Error{ErrorCode::kBadInput, fmt::format("tasks[{}].name", k),
+                   fmt::format("there are two tasks \"{}\".", choices[k].name), ""};
+  return named;
+}
+
+// In the order in which they are added: by their times, and each behind those that it
+// comes after.
+Result<std::vector<DelegatedTask>> in_order(const std::vector<DelegatedChoice>& choices,
+                                            std::vector<DelegatedTask> tasks) {
+  const auto refuse = [](std::size_t k, std::string why) {
+    return Error{ErrorCode::kBadInput, fmt::format("tasks[{}].after", k), std::move(why),
+                 ""};
+  };
+  const auto named = named_tasks(choices);
+  if (!named) return named.error();
+  std::vector<std::vector<std::size_t>> before(tasks.size());
+  for (std::size_t k = 0; k < tasks.size(); ++k)
+    for (const std::string& name : choices[k].after) {
+      const auto found = named.value().find(name);
+      if (found == named.value().end())
+        return refuse(k, fmt::format("there is no task \"{}\".", name));
+      before[k].push_back(found->second);
+    }
+  std::vector<std::size_t> left(tasks.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  std::ranges::stable_sort(left, {}, [&](std::size_t k) { return tasks[k].at; });
+  std::map<std::size_t, std::size_t> placed;
+  std::vector<DelegatedTask> sorted;
+  while (!left.empty()) {
+    const auto next = std::ranges::find_if(left, [&](std::size_t k) {
+      return std::ranges::all_of(before[k],
+                                 [&](std::size_t b) { return placed.contains(b); });
+    });
+    if (next == left.end())
+      return refuse(left.front(), "it comes after itself, by way of others.");
+    DelegatedTask& task = sorted.emplace_back(std::move(tasks[*next]));
+    for (const std::size_t b : before[*next]) task.after.push_back(placed.at(b));
+    placed.emplace(*next, sorted.size() - 1);
+    left.erase(next);
+  }
+  return sorted;
 }
 
 // Keys that say who flies a mission, which is the team's own matter.
@@ -319,17 +377,20 @@ MadeTeam make_delegated(const DelegatedTasksChoice& choice, const MissionContext
     auto task = listed(each, station, c);
     if (!task) return task.error();
     DelegatedTask& made = tasks.emplace_back();
-    made.after = each.after;
+    made.at = each.at;
     made.task.what = std::move(task.value().what);
     made.task.group = each.group;
     if (each.needs_camera || choice.needs_camera) made.task.sensors |= kCameraSensor;
     if (each.needs_fire_sensor || choice.needs_fire_sensor)
       made.task.sensors |= kFireSensor;
   }
+  auto ordered = in_order(choice.tasks, std::move(tasks));
+  if (!ordered) return ordered.error();
   const std::string name = choice.name.empty() ? "team" : choice.name;
   return planned(
       "team", choice, who.value(),
-      std::make_unique<DelegatedMission>(name, std::move(tasks), station.desk()));
+      std::make_unique<DelegatedMission>(name, std::move(ordered).value(),
+                                         station.desk()));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "skein/assemble/aircraft_builder.h"
 #include "skein/assemble/aircraft_fit.h"
@@ -12,6 +13,7 @@
 namespace skein::assemble {
 namespace {
 
+using reasoning::TaskSharing;
 using reasoning::TeamConfig;
 using reasoning::TeamStructure;
 using scenario::TeamSetup;
@@ -22,8 +24,16 @@ bool leads_itself(const TeamSetup& setup) {
   return setup.structure != TeamSetup::Structure::kNone;
 }
 
-bool is_in_wind(const TeamSetup& setup) {
-  return setup.allocation == TeamSetup::Allocation::kCoalitions;
+TaskSharing sharing_of(const TeamSetup& setup) {
+  switch (setup.allocation) {
+    case TeamSetup::Allocation::kCoalitions:
+      return TaskSharing::kCoalitions;
+    case TeamSetup::Allocation::kSequences:
+      return TaskSharing::kSequences;
+    case TeamSetup::Allocation::kNearest:
+      break;
+  }
+  return TaskSharing::kNearest;
 }
 
 // The station and its aircraft, which come after all stations.
@@ -56,7 +66,8 @@ TeamConfig team_config(const scenario::Scenario& scenario, std::size_t station,
   config.names = members_of(scenario, station);
   for (const auto& [member, name] : config.names) config.known.insert(member);
   config.approval = setup.approval;
-  config.allocation_period = is_in_wind(setup) ? kAllocateAgain : 0;
+  config.allocation_period =
+      sharing_of(setup) == TaskSharing::kNearest ? 0 : kAllocateAgain;
   switch (setup.structure) {
     case TeamSetup::Structure::kNone:
       config.structure = TeamStructure::kNone;
@@ -85,7 +96,7 @@ std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
   if (!leads_itself(setup)) return nullptr;
   auto options = std::make_shared<reasoning::OnboardTeamOptions>();
   options->config = team_config(scenario, station, parts);
-  options->in_wind = is_in_wind(setup);
+  options->sharing = sharing_of(setup);
   options->cruise = context.limits.airspeed;
   std::uint32_t sensors = 0;
   if (context.has_camera) sensors |= reasoning::kCameraSensor;
@@ -97,12 +108,12 @@ std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
 
 std::function<std::shared_ptr<reasoning::TeamDesk>()> team_desk(
     const scenario::Scenario& scenario, std::size_t station, const Vec3& place,
-    const RadioParts& parts) {
+    std::vector<Zone> zones, const RadioParts& parts) {
   const TeamSetup& setup = scenario.stations[station].team;
   if (!leads_itself(setup)) return {};
-  auto desk = std::make_shared<reasoning::TeamDesk>(
+  auto desk = std::make_shared<reasoning::TeamDesk>(reasoning::TeamDeskOptions{
       EntityId{static_cast<std::uint32_t>(station)},
-      team_config(scenario, station, parts), is_in_wind(setup), place);
+      team_config(scenario, station, parts), sharing_of(setup), place, std::move(zones)});
   return [desk] { return desk; };
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "skein/layer/reasoning/team/onboard/onboard_team.h"
 #include "skein/layer/reasoning/team/onboard/team_desk.h"
@@ -24,9 +25,10 @@ std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
 /// Gives the desk of a station to each of its missions; none: its team does not lead
 /// itself.
 /// @param place  of the station, N [m].
+/// @param zones  in force from the start.
 std::function<std::shared_ptr<reasoning::TeamDesk>()> team_desk(
     const scenario::Scenario& scenario, std::size_t station, const Vec3& place,
-    const RadioParts& parts);
+    std::vector<Zone> zones, const RadioParts& parts);
 
 /// Beyond which a radio's messages are lost [m]; 0: no limit, or not known of its kind.
 double radio_range(const scenario::Choice& radio, const RadioParts& parts);

@@ -109,8 +109,7 @@ class Stage {
     MissionContext context{kSeed, kinds_.kinds(), {}, zones_, {}, {}, {}, {}};
     // A desk of its own for each mission that is compared.
     const auto desk = [] {
-      return std::make_shared<reasoning::TeamDesk>(EntityId{0}, reasoning::TeamConfig{},
-                                                   false, Vec3::Zero());
+      return std::make_shared<reasoning::TeamDesk>(reasoning::TeamDeskOptions{});
     };
     context.stations = {{EntityId{0}, "station", {}, desk}};
     for (std::uint32_t k = 1; k <= 2; ++k)

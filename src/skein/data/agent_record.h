@@ -12,6 +12,7 @@
 #include "skein/data/separation_message.h"
 #include "skein/data/task_reason.h"
 #include "skein/data/team_message.h"
+#include "skein/data/team_task_report.h"
 #include "skein/data/traffic.h"
 #include "skein/data/zone_change.h"
 
@@ -21,14 +22,14 @@ namespace skein {
 /// zones that it has put into force or taken back, what it believes about a boundary or
 /// an object now, what it forecasts, what its planners do, how its missions go, how
 /// far it is with a stored mission, a conflict that is over, what it believes of other
-/// traffic, who leads its team and what becomes of allocations, alerts and what its pilot
-/// is shown, why it has given a task, a plugin's own. The simulation adds when, who, and
+/// traffic, who leads its team, what becomes of allocations and tasks, alerts and what
+/// its pilot is shown, why it has given a task, a plugin's own. The simulation adds when, who, and
 /// what was true.
 using AgentRecord =
     std::variant<FireReading, Crossing, ZoneChange, PerimeterBelief, PluginRecord,
                  PlannerChange, ObjectBelief, MissionChange, PerimeterForecast,
                  ArrivalForecast, MissionProgress, ConflictReport, TrafficBelief,
                  TeamLead, TrafficAlert, FlightBands, Recommendation,
-                 TeamAllocationReport, TaskReason>;
+                 TeamAllocationReport, TaskReason, TeamTaskReport>;
 
 }  // namespace skein

@@ -327,6 +327,8 @@ void put_floats(const T& value, std::vector<float>& out) {
   } else if constexpr (Described<T>) {
     detail::FloatSink sink{out};
     put(value, sink);
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    out.push_back(static_cast<float>(value));
   } else {
     for (int k = 0; k < value.size(); ++k) out.push_back(static_cast<float>(value[k]));
   }

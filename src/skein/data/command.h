@@ -220,11 +220,49 @@ constexpr auto describe(const FlightChangeCommand*) {
                             "at cruise; null: as before"));
 }
 
+/// What becomes of a task of a team that leads itself.
+enum class TeamTaskAction : std::uint8_t {
+  kAdd,       ///< there is one more
+  kWithdraw,  ///< it is not flown, or not any more
+  kChange,    ///< another one is flown in its place
+};
+constexpr auto names_of(const TeamTaskAction*) {
+  return std::to_array<std::string_view>({"add", "withdraw", "change"});
+}
+
+/// A team that leads itself gets one more task, another one in the place of one, or one
+/// less.
+struct TeamTaskCommand {
+  TeamTaskAction action = TeamTaskAction::kAdd;
+  std::uint32_t number = 0;  ///< which is withdrawn or changed, from 1
+  TaskKind what = Hold{};    ///< what is to be done; of no use for kWithdraw
+  /// As in TaskCommand: names of those that `what` is about.
+  std::vector<std::string> others = {};
+  std::vector<std::uint32_t> after = {};  ///< kAdd: tasks that are over before it begins
+  bool group = false;                     ///< kAdd: several may fly it at once
+  std::string station = {};               ///< whose team; empty: of every station
+};
+
+constexpr auto describe(const TeamTaskCommand*) {
+  using T = TeamTaskCommand;
+  return described<T>({"change_team_task"},
+                      "A task of a team that leads itself is added, withdrawn or changed.",
+                      field("action", &T::action, "what becomes of it"),
+                      field("number", &T::number, "which is withdrawn or changed"),
+                      field("what", &T::what, Storage::kJson, "what to do"),
+                      field("others", &T::others, Storage::kJson,
+                            "names of those it is about; empty: it has their numbers"),
+                      field("after", &T::after, Storage::kJson,
+                            "numbers of tasks that are over before one that is added"),
+                      field("group", &T::group, "several may fly one that is added"),
+                      field("station", &T::station, "whose team; empty: of all"));
+}
+
 /// New kinds go to the end: the place in this list is part of the wire form.
 using Command = std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand,
                              StepCommand, SpeedCommand, FaultCommand, WindCommand,
                              AddCommand, RemoveCommand, TaskChangeCommand, VehicleCommand,
-                             AllocationCommand, FlightChangeCommand>;
+                             AllocationCommand, FlightChangeCommand, TeamTaskCommand>;
 
 /// The word for a command.
 std::string_view kind_of(const Command& command);

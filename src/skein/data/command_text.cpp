@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string>
@@ -21,14 +22,15 @@ constexpr double kMaxWind = 100;       // [m/s]
 constexpr double kMaxHeight = 20000;   // [m]
 constexpr double kMaxAirspeed = 1000;  // [m/s]
 constexpr double kMaxCount = 1e6;
+constexpr std::size_t kMaxBefore = 100;  // tasks that one comes after
 
 Error wrong(std::string message, std::string usage) {
   return {ErrorCode::kBadInput, "", std::move(message), std::move(usage)};
 }
 
 constexpr const char* kUsage =
-    "Commands: zone, task, flight, mission, allocation, pause, resume, step, speed, "
-    "fault, repair, wind, add, remove.";
+    "Commands: zone, task, team, flight, mission, allocation, pause, resume, step, "
+    "speed, fault, repair, wind, add, remove.";
 std::string task_hint() {
   std::string hint = "Say: task AIRCRAFT pause, resume, cancel, give AIRCRAFT";
   for (const auto& [usage, help] : task_usage()) hint += "; " + usage;
@@ -167,6 +169,80 @@ Result<Command> allocation(Words given) {
   return Command(std::move(command));
 }
 
+// "3,4": numbers of tasks.
+std::optional<std::vector<std::uint32_t>> task_numbers(std::string_view word) {
+  std::vector<std::uint32_t> numbers;
+  while (!word.empty()) {
+    const std::size_t comma = std::min(word.find(','), word.size());
+    const auto number = count(word.substr(0, comma));
+    if (!number) return std::nullopt;
+    numbers.push_back(static_cast<std::uint32_t>(*number));
+    word.remove_prefix(std::min(comma + 1, word.size()));
+  }
+  return numbers;
+}
+
+std::string team_task_error(const TeamTaskCommand& command) {
+  if (command.action != TeamTaskAction::kAdd && command.number == 0)
+    return "tasks are numbered from 1.";
+  if (command.after.size() > kMaxBefore)
+    return fmt::format("a task comes after {} others at most.", kMaxBefore);
+  // Names become numbers later.
+  const bool is_open = command.action == TeamTaskAction::kWithdraw || !command.others.empty();
+  return is_open ? "" : task_error(command.what);
+}
+
+Result<Command> team(Words given) {
+  const auto refuse = [](std::string why) {
+    return wrong(std::move(why),
+                 "Say: team add survey ..., or team add after 1,2 group survey ...; "
+                 "team withdraw 3; team change 3 survey ...; where there are several "
+                 "stations: team of STATION add ...");
+  };
+  TeamTaskCommand command;
+  if (given.size() > 2 && given[0] == "of") {
+    command.station = std::string(given[1]);
+    given = given.subspan(2);
+  }
+  std::optional<TeamTaskAction> action;
+  for (const TeamTaskAction each :
+       {TeamTaskAction::kAdd, TeamTaskAction::kWithdraw, TeamTaskAction::kChange})
+    if (!given.empty() && given[0] == name_of(each)) action = each;
+  if (!action) return refuse("a task of a team is added, withdrawn or changed.");
+  command.action = *action;
+  given = given.subspan(1);
+  if (command.action != TeamTaskAction::kAdd) {
+    const auto number = given.empty() ? std::nullopt : count(given[0]);
+    if (!number) return refuse("which task? They are numbered from 1.");
+    command.number = static_cast<std::uint32_t>(*number);
+    given = given.subspan(1);
+  } else {
+    if (given.size() > 1 && given[0] == "after") {
+      auto numbers = task_numbers(given[1]);
+      if (!numbers) return refuse("tasks that come before are numbers from 1 on.");
+      command.after = std::move(*numbers);
+      given = given.subspan(2);
+    }
+    if (!given.empty() && given[0] == "group") {
+      command.group = true;
+      given = given.subspan(1);
+    }
+  }
+  if (command.action == TeamTaskAction::kWithdraw) {
+    if (!given.empty()) return refuse("a task is withdrawn by its number alone.");
+    return Command(std::move(command));
+  }
+  if (given.empty()) return refuse("what is to be done?");
+  auto text = parse_task(given[0], given.subspan(1));
+  if (!text) return refuse(text.error().message);
+  if (!text.value().file.empty()) return refuse("a plan from a file is for one aircraft.");
+  command.what = std::move(text.value().what);
+  command.others = std::move(text.value().others);
+  if (std::string error = team_task_error(command); !error.empty())
+    return refuse(std::move(error));
+  return Command(std::move(command));
+}
+
 // What the types of its fields leave open: empty when it can be obeyed.
 struct ValueCheck {
   std::string operator()(const StepCommand& c) {
@@ -192,6 +268,7 @@ struct ValueCheck {
     return c.number == 0 ? "" : "the ground station numbers changes, not the operator.";
   }
   std::string operator()(const FlightChangeCommand& c) { return flight_error(c); }
+  std::string operator()(const TeamTaskCommand& c) { return team_task_error(c); }
   std::string operator()(const auto&) { return ""; }
 };
 
@@ -219,6 +296,7 @@ Result<Command> parse_command(std::string_view line) {
     return Command(std::move(change).value());
   }
   if (verb == "task") return task(given);
+  if (verb == "team") return team(given);
   if (verb == "flight") return flight(given);
   if (verb == "mission") return mission(given);
   if (verb == "allocation") return allocation(given);

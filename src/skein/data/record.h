@@ -22,6 +22,7 @@
 #include "skein/data/radio.h"
 #include "skein/data/separation_message.h"
 #include "skein/data/task_reason.h"
+#include "skein/data/team_task_report.h"
 #include "skein/data/traffic.h"
 #include "skein/data/vehicle.h"
 #include "skein/data/vehicle_report.h"
@@ -445,6 +446,22 @@ constexpr auto describe(const TaskReasonRecord*) {
                       field("", &T::reason, "to whom, and why"));
 }
 
+/// How far a task of a team is.
+struct TeamTaskRecord {
+  Time time;
+  EntityId id;
+  TeamTaskReport report;
+};
+
+constexpr auto describe(const TeamTaskRecord*) {
+  using T = TeamTaskRecord;
+  return described<T>({"team_task_change", "team_tasks"},
+                      "How far a task of a team is: said when that changes.",
+                      field("time", &T::time, "when"),
+                      field("entity_id", &T::id, "which station has heard so"),
+                      field("", &T::report, "which task, and how far it is"));
+}
+
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
 using Record =
@@ -456,6 +473,7 @@ using Record =
                  MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord,
                  AirTraffic, TrafficMotion, TrafficBeliefRecord, TeamLeadRecord,
                  AlertRecord, BandRecord, RecommendationRecord, TeamAllocationRecord,
-                 RadioUseRecord, LinkUseRecord, FlightPathRecord, TaskReasonRecord>;
+                 RadioUseRecord, LinkUseRecord, FlightPathRecord, TaskReasonRecord,
+                 TeamTaskRecord>;
 
 }  // namespace skein

@@ -5,8 +5,8 @@ namespace {
 
 struct AirBytes {
   std::size_t operator()(const TeamQuery&) const { return 25; }
-  std::size_t operator()(const TeamInform&) const { return 62; }
-  std::size_t operator()(const TeamPropose&) const { return 62; }
+  std::size_t operator()(const TeamInform&) const { return 70; }
+  std::size_t operator()(const TeamPropose&) const { return 70; }
   std::size_t operator()(const TeamAccept&) const { return 25; }
   std::size_t operator()(const TeamReject&) const { return 13; }
   std::size_t operator()(const TeamConfirm&) const { return 17; }
@@ -14,7 +14,9 @@ struct AirBytes {
   std::size_t operator()(const TeamAssign& m) const { return 21 + 48 * m.tasks.size(); }
   std::size_t operator()(const TeamAssignAck&) const { return 17; }
   std::size_t operator()(const TeamState& m) const {
-    return 21 + 2 * m.members.size() + 8 * m.met.size() + 24 * m.tasks.size();
+    std::size_t bytes = 21 + 2 * m.members.size() + 8 * m.met.size();
+    for (const TeamTask& task : m.tasks) bytes += 24 + 2 * task.after.size();
+    return bytes;
   }
   std::size_t operator()(const TeamMerge& m) const { return 25 + 2 * m.members.size(); }
   std::size_t operator()(const TeamSplit& m) const { return 25 + 24 * m.tasks.size(); }

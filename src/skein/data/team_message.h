@@ -47,6 +47,10 @@ struct TeamTask {
   std::vector<std::uint8_t> what = {};
   /// The operator has approved that it is flown: whoever does so.
   bool released = false;
+  /// Numbers of tasks that are over, done or withdrawn, before it is flown.
+  std::vector<std::uint32_t> after = {};
+  /// The operator does not want it any more; it is done too: nothing is left of it.
+  bool withdrawn = false;
   friend bool operator==(const TeamTask&, const TeamTask&) = default;
 };
 
@@ -60,7 +64,9 @@ constexpr auto describe(const TeamTask*) {
                       field("branch", &T::branch, "of a mission that was split"),
                       field("sensors", &T::sensors, "a bit for each kind that it takes"),
                       field("what", &T::what, Storage::kBytes, "the task, coded"),
-                      field("released", &T::released, "the operator has approved it"));
+                      field("released", &T::released, "the operator has approved it"),
+                      field("after", &T::after, "tasks that are over before it is flown"),
+                      field("withdrawn", &T::withdrawn, "the operator wants it no more"));
 }
 
 /// What a member can do.
@@ -70,6 +76,7 @@ struct TeamResources {
   double endurance = 0;       ///< left [s]
   std::uint32_t sensors = 0;  ///< a bit for each kind
   bool able = true;           ///< it flies tasks; false: a ground station, a pilot flies
+  float home_north = 0, home_east = 0;  ///< where it flies in the end, N [m]
 };
 
 constexpr auto describe(const TeamResources*) {
@@ -79,7 +86,10 @@ constexpr auto describe(const TeamResources*) {
                       field("speed", &T::speed, unit::kMetrePerSecond, "cruise"),
                       field("endurance", &T::endurance, unit::kSecond, "what is left"),
                       field("sensors", &T::sensors, "a bit for each kind"),
-                      field("able", &T::able, "it flies tasks"));
+                      field("able", &T::able, "it flies tasks"),
+                      field("home_north", &T::home_north, unit::kMetre,
+                            "where it flies in the end"),
+                      field("home_east", &T::home_east, unit::kMetre, "likewise"));
 }
 
 /// How far a member is with a task that it executes.
@@ -441,7 +451,7 @@ using TeamContent =
 
 /// A message of the team protocol.
 struct TeamMessage {
-  static constexpr std::uint32_t kVersion = 1;
+  static constexpr std::uint32_t kVersion = 2;
 
   std::uint32_t version = kVersion;  ///< of the protocol
   /// Counts what the sender says to all, and by itself what it says to the receiver.
@@ -461,9 +471,9 @@ constexpr auto describe(const TeamMessage*) {
 std::string_view kind_of(const TeamContent& content);
 
 /// Bytes on the air in fixed point with a header of 9 bytes, where names of missions are
-/// numbers of 2 bytes: query 25, inform and proposal 62, accept 25, confirm 17, reject
+/// numbers of 2 bytes: query 25, inform and proposal 70, accept 25, confirm 17, reject
 /// and decline 13, assign 21 + 48 for each task, its answer 17; state 21 + 2 for each
-/// member + 8 for each meeting + 24 for each task; merge 25 + 2 for each member; split
+/// member + 8 for each meeting + 24 for each task + 2 for each that it comes after; merge 25 + 2 for each member; split
 /// 25 + 24 for each task; bids 17 + 10 for each; proposal 24 + 4 for each share; decision
 /// 14; here 25.
 std::size_t air_bytes(const TeamContent& content);

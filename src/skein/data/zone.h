@@ -14,6 +14,7 @@ namespace skein {
 struct Disc {
   Vec2 centre = Vec2::Zero();  ///< [m]
   double radius = 0;           ///< [m]
+  friend bool operator==(const Disc&, const Disc&) = default;
 };
 
 constexpr auto describe(const Disc*) {
@@ -32,6 +33,7 @@ struct Zone {
   double from = -std::numeric_limits<double>::infinity();        ///< forbidden since [s]
   double until = std::numeric_limits<double>::infinity();        ///< forbidden until [s]
   std::string name = {};  ///< for people; may be empty
+  friend bool operator==(const Zone&, const Zone&) = default;
 };
 
 constexpr auto describe(const Zone*) {

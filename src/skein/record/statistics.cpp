@@ -75,6 +75,7 @@ struct Taker {
   void operator()(const BandRecord&) {}
   void operator()(const FlightPathRecord&) {}
   void operator()(const TaskReasonRecord&) {}
+  void operator()(const TeamTaskRecord&) {}
   void operator()(const TeamLeadRecord& r) { statistics.team().lead(r); }
   void operator()(const TeamAllocationRecord& r) {
     statistics.team().allocation(r.report);

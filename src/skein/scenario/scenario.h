@@ -173,7 +173,8 @@ struct TeamSetup {
     kAuction,      ///< nobody: tasks go to the highest bids
   };
   enum class Allocation {
-    kCoalitions,  ///< what the tasks need in the wind, as a set partitioning problem
+    kCoalitions,  ///< one task each, by what they need, as set partitioning
+    kSequences,   ///< several in order, so that all is done soon
     kNearest,
   };
   Structure structure = Structure::kNone;

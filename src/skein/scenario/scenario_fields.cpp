@@ -237,7 +237,11 @@ Fields<TeamSetup> team_fields() {
               "nobody: each bids, and the highest bid wins"}})
       .word("allocation", &T::allocation, "How a master shares them.",
             {{"coalitions", Allocation::kCoalitions,
-              "by sensors, endurance and time in wind, for the highest utility"},
+              "one task each, by sensors, endurance and time in wind and around zones, for "
+              "the highest utility"},
+             {"sequences", Allocation::kSequences,
+              "several tasks each in the order in which they are flown, so that the last "
+              "one ends soon; not in an auction"},
              {"nearest", Allocation::kNearest,
               "each keeps its task, others get the nearest"}})
       .duration_s("query_period_s", &T::query_period,
@@ -252,6 +256,13 @@ Fields<TeamSetup> team_fields() {
       .boolean("approval", &T::approval,
                "Allocations that a master works out wait until the operator approves "
                "them: `allocation approve`.")
+      .rule("allocation",
+            [](const T& t) {
+              return t.structure == Structure::kAuction &&
+                             t.allocation == Allocation::kSequences
+                         ? std::string("bids are for one task: sequences need a leader.")
+                         : std::string();
+            })
       .rule("approval", [](const T& t) {
         const bool leads =
             t.structure == Structure::kMaster || t.structure == Structure::kFixedMaster;

@@ -532,6 +532,9 @@ void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
     Record operator()(const TeamAllocationReport& report) {
       return TeamAllocationRecord{now, agent, report};
     }
+    Record operator()(const TeamTaskReport& report) {
+      return TeamTaskRecord{now, agent, report};
+    }
     Record operator()(const TrafficBelief& belief) {
       return TrafficBeliefRecord{now, agent, belief};
     }

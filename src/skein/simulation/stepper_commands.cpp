@@ -69,6 +69,11 @@ void Stepper::obey(Time now, const Command& command) {
         return run.refuse(now, fmt::format("there is no station \"{}\".", c.station));
       pass_on_to_stations();
     }
+    void operator()(const TeamTaskCommand& c) const {
+      if (!c.station.empty() && !run.is_station(c.station))
+        return run.refuse(now, fmt::format("there is no station \"{}\".", c.station));
+      pass_on_to_stations();
+    }
     // The clock is the run loop's.
     void operator()(const PauseCommand&) const {}
     void operator()(const StepCommand&) const {}

@@ -16,6 +16,7 @@ export class MissionPanel implements Panel {
   readonly element = h("div", { class: "panel" });
   private readonly missions = h("ul", { class: "list" });
   private readonly proposals = h("ul", { class: "list" });
+  private readonly teamTasks = h("ul", { class: "list" });
   private readonly zones = h("ul", { class: "list" });
   private readonly drawings = h("ul", { class: "list" });
   private readonly said = h("p", { class: "hint", role: "status" });
@@ -46,6 +47,7 @@ export class MissionPanel implements Panel {
       h("div", { class: "actions" }, h("button", { type: "submit", class: "primary" }, T.mission.zoneOn), button(T.cancel, () => { this.zoneForm.hidden = true; })));
     this.element.append(
       h("section", {}, h("h3", {}, T.mission.proposals), this.proposals),
+      h("section", {}, h("h3", {}, T.mission.teamTasks), this.teamTasks),
       h("section", {}, h("h3", {}, T.mission.missions), this.missions,
         h("div", { class: "actions" }, button(T.mission.pauseAll, () => this.mission("pause", "")), button(T.mission.resumeAll, () => this.mission("resume", "")))),
       h("section", {}, h("h3", {}, T.mission.drawings),
@@ -115,6 +117,7 @@ export class MissionPanel implements Panel {
     this.shown = key;
     this.showMissions();
     this.showProposals();
+    this.showTeamTasks();
     this.showZones();
   }
 
@@ -153,6 +156,23 @@ export class MissionPanel implements Panel {
         each.state === "waits" || each.shares.length > 0 ? h("div", { class: "wide-cell" }, ...each.shares.map(({ entity_id, task }) => h("div", {}, T.mission.share(world.name(entity_id), task))),
           h("div", { class: "hint" }, T.mission.utility((each.value ?? 0).toFixed(2), (each.bound ?? 0).toFixed(2)))) : null,
         each.state === "waits" ? h("div", { class: "actions" }, decide(T.mission.approve, "approve"), decide(T.mission.reject, "reject")) : null);
+    }));
+  }
+
+  /** What is left first, in the order of numbers; then what is over. */
+  private showTeamTasks(): void {
+    const { world, mayCommand } = this.app, over = (state: string) => Number(state === "done" || state === "withdrawn");
+    const all = [...world.teamTasks.values()].sort((a, b) => over(a.state) - over(b.state) || a.number - b.number);
+    if (all.length === 0) return this.teamTasks.replaceChildren(h("li", { class: "hint" }, T.mission.noTeamTasks));
+    this.teamTasks.replaceChildren(...all.map((task) => {
+      const { number, entity_id } = task, station = world.name(entity_id);
+      const withdraw = button(T.mission.withdraw, () => this.app.command({ kind: "change_team_task", action: "withdraw", number, station },
+        T.commands.withdraw(number)), { disabled: !mayCommand });
+      const flown = task.executor_id == null ? "" : T.mission.flownBy(world.name(task.executor_id));
+      return h("li", { class: "card" }, h("div", {}, h("strong", {}, T.mission.teamTask(number, T.task.names[task.what] ?? task.what)),
+        h("div", { class: "hint" }, [flown, task.after.length > 0 ? T.mission.after(task.after.join(", ")) : "", task.several ? T.mission.group : ""].filter(Boolean).join(", "))),
+      h("span", { class: `state ${task.state}` }, T.mission.taskStates[task.state] ?? task.state),
+      over(task.state) ? null : h("div", { class: "actions" }, withdraw));
     }));
   }
 

@@ -21,6 +21,9 @@ function title(field: TaskField): string {
 export class TaskFormView {
   readonly element = h("form", { class: "task-form", hidden: true, onsubmit: (event) => { event.preventDefault(); this.send(); } });
   private readonly kind: HTMLSelectElement;
+  /** Whose task it is to be: empty: the chosen aircraft's; else a task of a team. */
+  private readonly target = h("select", {});
+  private readonly targets = labelledField(T.task.target, this.target);
   private readonly fields = h("div", { class: "fields" });
   private readonly help = h("p", { class: "hint" });
   private readonly estimate = h("p", { class: "hint", role: "status" });
@@ -31,7 +34,7 @@ export class TaskFormView {
   constructor(private readonly app: App) {
     this.kind = h("select", { onchange: () => this.build() },
       ...app.run.task_kinds.map(({ kind }) => option(kind, T.task.names[kind] ?? kind)));
-    this.element.append(labelledField(T.task.kind, this.kind), this.help, this.fields, this.estimate, this.previews, this.problem,
+    this.element.append(this.targets, labelledField(T.task.kind, this.kind), this.help, this.fields, this.estimate, this.previews, this.problem,
       h("div", { class: "actions" }, h("button", { type: "submit", class: "primary" }, T.task.send),
         button(T.task.preview, () => this.preview()), button(T.cancel, () => this.toggle(false))));
     if (app.run.task_kinds.length > 0) this.build();
@@ -41,12 +44,24 @@ export class TaskFormView {
 
   toggle(open = this.element.hidden): void {
     this.element.hidden = !open;
-    if (open) this.kind.focus();
-    else {
+    if (open) {
+      this.showTargets();
+      this.kind.focus();
+    } else {
       this.app.tools.stop();
       this.chosen(null);
       this.app.previews.clear();
     }
+  }
+
+  /** A team's tasks may be given where there is one: a new one, or one in the place of another. */
+  private showTargets(): void {
+    const { world } = this.app, tasks = [...world.teamTasks.values()], stations = [...new Set(tasks.map(({ entity_id }) => entity_id))];
+    const open = tasks.filter(({ state }) => state !== "done" && state !== "withdrawn").sort((a, b) => a.number - b.number);
+    this.targets.hidden = stations.length === 0;
+    this.target.replaceChildren(option("", T.task.ofAircraft),
+      ...stations.map((id) => option(`${id} 0`, T.task.ofTeam(world.name(id)))),
+      ...open.map(({ entity_id, number, what }) => option(`${entity_id} ${number}`, T.task.inPlaceOf(number, T.task.names[what] ?? what))));
   }
 
   /** Shows on the map what was chosen, and how far it is from the aircraft as the crow flies. */
@@ -184,7 +199,12 @@ export class TaskFormView {
   private send(): void {
     const task = this.read();
     if (!task) return;
-    for (const name of this.names) this.app.giveTask(name, task.what as never, task.others);
+    const [station, number] = this.target.value.split(" ").map(Number);
+    if (number !== undefined) {
+      const action = number > 0 ? "change" : "add";
+      this.app.command({ kind: "change_team_task", action, number, what: task.what, others: task.others, station: this.app.world.name(station) },
+        number > 0 ? T.commands.changeTask(number) : T.commands.addTask);
+    } else for (const name of this.names) this.app.giveTask(name, task.what as never, task.others);
     this.toggle(false);
   }
 }

@@ -192,5 +192,58 @@ TEST(TeamFlight, WhereNothingNeedsApprovalADecisionIsRefused) {
   EXPECT_THROW(fly(three("auction, approval: true")), std::exception);
 }
 
+// Times at which the team's tasks were done, by their numbers.
+std::map<std::uint32_t, Time> times_done(const FlightLog& log) {
+  std::map<std::uint32_t, Time> times;
+  for (const Event& event : log.events)
+    if (event.kind == "task-done" && event.text.starts_with("team task "))
+      times.emplace(static_cast<std::uint32_t>(std::stoul(event.text.substr(10))),
+                    event.time);
+  return times;
+}
+
+std::string ordered(const std::string& last, const std::string& commands = "") {
+  return three("master, allocation: sequences") + R"(
+      - {task: "measure 900,200 stay 30", name: last, after: )" +
+         last + R"(}
+      - {task: "measure -200,-400 stay 30", name: first}
+      - {task: "measure -300,400 stay 30", name: second}
+)" + commands;
+}
+
+TEST(TeamFlight, FliesSequencesAndKeepsTheirOrder) {
+  const FlightLog log = fly(ordered("[first, second]"));
+  const auto times = times_done(log);
+  ASSERT_EQ(times.size(), 6u) << log.story();
+  // Added behind those that it waits for: 4 and 5 are first and second.
+  EXPECT_GT(times.at(6), times.at(4)) << log.story();
+  EXPECT_GT(times.at(6), times.at(5)) << log.story();
+  EXPECT_EQ(log.figure("team_double_max_s"), 0) << log.story();
+  EXPECT_NE(log.find("mission", "three is over"), nullptr) << log.story();
+}
+
+TEST(TeamFlight, TasksComeAfterOthersThatThereAre) {
+  EXPECT_THROW(fly(ordered("[third]")), std::exception);
+  EXPECT_THROW(fly(ordered("[last]")), std::exception);
+}
+
+TEST(TeamFlight, TheOperatorAddsChangesAndWithdrawsTasks) {
+  const FlightLog log = fly(ordered("[first]", R"(
+commands:
+  - {at_s: 40, do: "team withdraw 1"}
+  - {at_s: 41, do: "team change 5 measure -350,450 stay 20"}
+  - {at_s: 42, do: "team add after 2,3 measure 300,0 stay 10"}
+  - {at_s: 43, do: "team withdraw 77"}
+)"));
+  const auto times = times_done(log);
+  EXPECT_FALSE(times.contains(1)) << log.story();
+  ASSERT_TRUE(times.contains(7) || times.contains(5)) << log.story();
+  ASSERT_TRUE(times.contains(8)) << log.story();
+  EXPECT_GT(times.at(8), std::max(times.at(2), times.at(3))) << log.story();
+  EXPECT_NE(log.find("team-task-withdrawn", "1: measure"), nullptr) << log.story();
+  EXPECT_NE(log.find("command-refused", "no task 77"), nullptr) << log.story();
+  EXPECT_NE(log.find("mission", "three is over"), nullptr) << log.story();
+}
+
 }  // namespace
 }  // namespace skein::assemble::team_flight_test

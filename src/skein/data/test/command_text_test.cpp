@@ -109,12 +109,45 @@ TEST(CommandText, RefusesEverythingElseAndSaysWhy) {
                            "add",
                            "add a b",
                            "remove",
-                           "zone up a"}) {
+                           "zone up a",
+                           "team",
+                           "team add",
+                           "team add after x fly_to 0,0",
+                           "team add after 0 fly_to 0,0",
+                           "team add group",
+                           "team add nonsense 0,0",
+                           "team add fly_plan f.csv",
+                           "team withdraw",
+                           "team withdraw 0",
+                           "team withdraw 1 2",
+                           "team change fly_to 0,0",
+                           "team change 3",
+                           "team of base",
+                           "team drop 3"}) {
     const auto command = parse_command(line);
     ASSERT_FALSE(command.ok()) << line;
     EXPECT_FALSE(command.error().message.empty()) << line;
     EXPECT_FALSE(command.error().hint.empty()) << line;
   }
+}
+
+TEST(CommandText, TasksOfATeamComeAfterOthers) {
+  const auto added =
+      parsed<TeamTaskCommand>("team of base add after 2,3 group measure 10,20 stay 30");
+  EXPECT_EQ(added.action, TeamTaskAction::kAdd);
+  EXPECT_EQ(added.station, "base");
+  EXPECT_EQ(added.after, (std::vector<std::uint32_t>{2, 3}));
+  EXPECT_TRUE(added.group);
+  EXPECT_EQ(std::get<Measure>(added.what).stay, 30);
+  const auto plain = parsed<TeamTaskCommand>("team add fly_to 1,2");
+  EXPECT_TRUE(plain.after.empty() && !plain.group && plain.station.empty());
+  const auto withdrawn = parsed<TeamTaskCommand>("team withdraw 7");
+  EXPECT_EQ(withdrawn.action, TeamTaskAction::kWithdraw);
+  EXPECT_EQ(withdrawn.number, 7u);
+  const auto changed = parsed<TeamTaskCommand>("team change 7 fly_to 1,2");
+  EXPECT_EQ(changed.action, TeamTaskAction::kChange);
+  EXPECT_EQ(std::get<FlyTo>(changed.what).point, Vec2(1, 2));
+  EXPECT_FALSE(parse_command(R"({"kind": "change_team_task", "action": "withdraw"})").ok());
 }
 
 TEST(CommandText, TakesWhatProgramsWriteAsJson) {

@@ -10,8 +10,8 @@ namespace {
 
 TEST(TeamMessage, HasTheBytesOfTheTable) {
   EXPECT_EQ(air_bytes(TeamQuery{}), 25u);
-  EXPECT_EQ(air_bytes(TeamInform{}), 62u);
-  EXPECT_EQ(air_bytes(TeamPropose{}), 62u);
+  EXPECT_EQ(air_bytes(TeamInform{}), 70u);
+  EXPECT_EQ(air_bytes(TeamPropose{}), 70u);
   EXPECT_EQ(air_bytes(TeamAccept{}), 25u);
   EXPECT_EQ(air_bytes(TeamReject{}), 13u);
   EXPECT_EQ(air_bytes(TeamConfirm{}), 17u);
@@ -21,6 +21,10 @@ TEST(TeamMessage, HasTheBytesOfTheTable) {
   EXPECT_EQ(air_bytes(assign), 21u);
   assign.tasks.resize(3);
   EXPECT_EQ(air_bytes(assign), 21u + 3 * 48);
+  TeamState state;
+  state.tasks.resize(2);
+  state.tasks.front().after = {1, 3};
+  EXPECT_EQ(air_bytes(state), 21u + 2 * 24 + 2 * 2);
 }
 
 TEST(TeamMessage, NamesBranchesAfterTheirFirstMaster) {
@@ -31,6 +35,8 @@ TEST(TeamMessage, NamesBranchesAfterTheirFirstMaster) {
 TEST(TeamMessage, TravelsInTheWireForm) {
   TeamState state{
       7, 1, 2, {{3}, {5}}, {{{3}, {5}, 1}}, {{4, {1, 2, 3}, true, false, EntityId{3}}}};
+  state.tasks.front().after = {1, 3};
+  state.tasks.front().withdrawn = true;
   std::vector<std::byte> bytes;
   wire::encode(TeamMessage{1, 12, state}, bytes);
   const auto read = wire::decode<TeamMessage>(bytes);

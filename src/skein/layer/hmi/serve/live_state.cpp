@@ -53,6 +53,9 @@ struct KeyFinder {
   Key operator()(const TeamAllocationRecord& r) const {
     return key(r.report.proposer.value, r.report.number, r.report.team);
   }
+  Key operator()(const TeamTaskRecord& r) const {
+    return key(r.id.value, r.report.number);
+  }
   Key operator()(const RadioUseRecord& r) const { return key(r.id.value); }
   Key operator()(const LinkUseRecord& r) const {
     return key(r.use.from.value, r.use.to.value);

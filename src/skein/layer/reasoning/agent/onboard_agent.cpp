@@ -49,6 +49,7 @@ void OnboardAgent::follow_team(const AgentInput& in, AgentOutput& out) {
   TeamWork work;
   work.free = obeys_orders(in.autopilot) && !tasks_.is_ordered();
   work.leaves = in.autopilot.reaction != FailsafeReaction::kNone;
+  work.zones = safety_.zones().zones();
   work.task = tasks_.assigned();
   work.state = tasks_.state();
   work.share = tasks_.progress(in).share;

@@ -7,6 +7,8 @@
 namespace skein::reasoning {
 namespace {
 
+constexpr const char* kOrdersOnly = "its team does not lead itself.";
+
 std::vector<EntityId> ids_of(const std::vector<NamedAircraft>& team) {
   std::vector<EntityId> ids;
   for (const NamedAircraft& who : team) ids.push_back(who.id);
@@ -35,20 +37,38 @@ void GroundStation::step(const AgentInput& in, AgentOutput& out) {
   all.inbox = inbox;
   orders_.listen(in, out);
   missions_.step(all, orders_, out);
-  for (const Command& command : in.commands)
+  for (const Command& command : in.commands) {
     if (const auto* decided = std::get_if<AllocationCommand>(&command))
       obey(*decided, in.now, out);
+    else if (const auto* task = std::get_if<TeamTaskCommand>(&command))
+      obey(*task, in.now, out);
+  }
   orders_.resend(in.now, out);
   heartbeat_.step(in.now, out);
 }
 
 void GroundStation::obey(const AllocationCommand& command, Time now, AgentOutput& out) {
   if (!command.station.empty() && command.station != name_) return;
-  const std::string why =
-      desk_ ? desk_->decide(command, now) : std::string("its team does not lead itself.");
+  refuse("allocation", desk_ ? desk_->decide(command, now) : kOrdersOnly, now, out);
+}
+
+void GroundStation::obey(const TeamTaskCommand& command, Time now, AgentOutput& out) {
+  if (!command.station.empty() && command.station != name_) return;
+  if (!desk_) return refuse("team task", kOrdersOnly, now, out);
+  TaskKind what = command.what;
+  std::string why = command.action == TeamTaskAction::kWithdraw
+                        ? std::string()
+                        : orders_.bind(what, command.others);
+  if (why.empty()) why = desk_->obey(command, what, out, now);
+  refuse("team task", why, now, out);
+}
+
+// Without a reason it is not refused.
+void GroundStation::refuse(std::string_view what, const std::string& why, Time now,
+                           AgentOutput& out) const {
   if (!why.empty())
     out.events.push_back({now, EntityId{}, "command-refused",
-                          fmt::format("allocation of {}: {}", name_, why)});
+                          fmt::format("{} of {}: {}", what, name_, why)});
 }
 
 }  // namespace skein::reasoning

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "skein/layer/reasoning/station/heartbeat.h"
@@ -32,6 +33,9 @@ class GroundStation final : public Agent {
 
  private:
   void obey(const AllocationCommand& command, Time now, AgentOutput& out);
+  void obey(const TeamTaskCommand& command, Time now, AgentOutput& out);
+  void refuse(std::string_view what, const std::string& why, Time now,
+              AgentOutput& out) const;
 
   ZoneServer zones_;
   OrderServer orders_;

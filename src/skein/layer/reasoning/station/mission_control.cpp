@@ -26,21 +26,6 @@ bool is_silent(const Member& member, Time now) {
   return member.heard && (now - *member.heard).seconds() > member.silence_allowed;
 }
 
-// Puts the numbers of those that a task is about in place of their names.
-// @returns  what is wrong; empty when nothing is.
-std::string bind_names(TaskKind& what, const std::vector<std::string>& names,
-                       const OrderServer& orders) {
-  std::vector<EntityId> ids;
-  for (const std::string& name : names) {
-    const auto member = find_member(orders, name);
-    if (!member && name != "station")
-      return fmt::format("there is no aircraft \"{}\".", name);
-    ids.push_back(member ? orders.members()[*member].who.id : orders.station());
-  }
-  bind_others(what, ids);
-  return task_error(what);
-}
-
 }  // namespace
 
 MissionControl::MissionControl(std::vector<PlannedMission> missions,
@@ -210,7 +195,7 @@ void MissionControl::obey(const TaskCommand& command, Time now, OrderServer& ord
   const auto who = find_member(orders, command.aircraft);
   if (!who) return;  // another station's
   TaskKind what = command.what;
-  if (std::string error = bind_names(what, command.others, orders); !error.empty())
+  if (std::string error = orders.bind(what, command.others); !error.empty())
     return refuse(now, fmt::format("task {}: {}", kind_of(what), error), out);
   orders.order(*who, std::move(what), Holder::kOperator, now, out);
 }

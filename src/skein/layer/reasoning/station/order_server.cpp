@@ -35,6 +35,20 @@ OrderServer::OrderServer(const std::vector<NamedAircraft>& team, std::size_t mis
   std::ranges::sort(places_);
 }
 
+std::string OrderServer::bind(TaskKind& what,
+                              const std::vector<std::string>& names) const {
+  std::vector<EntityId> ids;
+  for (const std::string& name : names) {
+    const auto member = std::ranges::find(
+        members_, name, [](const Member& each) { return each.who.name; });
+    if (member == members_.end() && name != "station")
+      return fmt::format("there is no aircraft \"{}\".", name);
+    ids.push_back(member == members_.end() ? station_ : member->who.id);
+  }
+  bind_others(what, ids);
+  return task_error(what);
+}
+
 OrderServer::Member* OrderServer::find(EntityId id) {
   const auto found =
       std::ranges::lower_bound(places_, id, {}, &std::pair<EntityId, std::size_t>::first);

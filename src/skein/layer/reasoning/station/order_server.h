@@ -73,6 +73,10 @@ class OrderServer {
 
   const std::vector<Member>& members() const { return members_; }
 
+  /// Puts the numbers of those that a task is about in place of their names.
+  /// @returns  what is wrong; empty: nothing.
+  std::string bind(TaskKind& what, const std::vector<std::string>& names) const;
+
   /// Gives an aircraft to a mission, or to nobody.
   void give(std::size_t member, std::optional<std::size_t> mission);
 

@@ -9,23 +9,22 @@ namespace skein::reasoning {
 
 DelegatedMission::DelegatedMission(std::string name, std::vector<DelegatedTask> tasks,
                                    std::shared_ptr<TeamDesk> desk)
-    : name_(std::move(name)), tasks_(std::move(tasks)), desk_(std::move(desk)) {
-  std::ranges::stable_sort(tasks_, {}, &DelegatedTask::after);
-}
+    : name_(std::move(name)), tasks_(std::move(tasks)), desk_(std::move(desk)) {}
 
 void DelegatedMission::step(const AgentInput& in, AgentOutput& out) {
   if (!begun_) begun_ = in.now;
+  desk_->open(name_);
   hand_in(in.now);
   desk_->step(in, out);
 }
 
 void DelegatedMission::hand_in(Time now) {
-  std::vector<WantedTask> due;
-  while (handed_in_ < tasks_.size() && now - *begun_ >= tasks_[handed_in_].after)
-    due.push_back(tasks_[handed_in_++].task);
-  if (due.empty()) return;
-  const auto numbers = desk_->hand_in(name_, due, now);
-  numbers_.insert(numbers_.end(), numbers.begin(), numbers.end());
+  while (handed_in_ < tasks_.size() && now - *begun_ >= tasks_[handed_in_].at) {
+    DelegatedTask& next = tasks_[handed_in_++];
+    for (const std::size_t before : next.after)
+      next.task.after.push_back(numbers_[before]);
+    numbers_.push_back(desk_->hand_in(name_, {&next.task, 1}, now).front());
+  }
 }
 
 MissionDemand DelegatedMission::demand() const {
@@ -35,7 +34,7 @@ MissionDemand DelegatedMission::demand() const {
 }
 
 bool DelegatedMission::done() const {
-  return handed_in_ == tasks_.size() &&
+  return handed_in_ == tasks_.size() && desk_->is_all_added_done() &&
          std::ranges::all_of(numbers_, [&](auto task) { return desk_->is_done(task); });
 }
 

@@ -14,7 +14,6 @@ using allocation::CoalitionProblem;
 using allocation::CoalitionTask;
 using allocation::Satisfaction;
 
-constexpr double kReserve = 1.2;    // endurance over the time needed
 constexpr double kMaxMargin = 1.5;  // more endurance is of no more use
 constexpr double kKeep = 0.05;      // of a task, for who executes it
 constexpr double kHovering = 1.1;   // of a task that is about one place
@@ -25,12 +24,14 @@ constexpr double kHour = 3600;      // [s]
 
 // By how much one aircraft satisfies a task.
 double satisfaction_of_one(const TeamTask& task, const TaskNeeds& needs,
-                           const TeamResources& resources, const Vec2& wind) {
+                           const TeamResources& resources,
+                           const FlightConditions& conditions) {
   if ((task.sensors & ~resources.sensors) != 0) return 0;
-  const auto approach = time_to_begin(needs, resources, wind);
-  const auto within = time_within(needs, resources, wind);
-  if (!approach || !within) return 0;
-  const double needed = std::max(1.0, kReserve * (*approach + *within));
+  const auto approach = time_to_begin(needs, resources, conditions);
+  const auto within = time_within(needs, resources, conditions);
+  const auto home = time_home(needs, resources, conditions);
+  if (!approach || !within || !home) return 0;
+  const double needed = std::max(1.0, kEnduranceReserve * (*approach + *within + *home));
   // What has no end is flown as long as there is endurance.
   const double margin =
       needs.endless ? 1.0 : std::min(kMaxMargin, resources.endurance / needed);
@@ -70,7 +71,6 @@ auto idle_of(const std::vector<std::size_t>& tasks) {
 
 CoalitionProblem CoalitionAllocation::problem_of(std::span<const TeamTask> tasks,
                                                  std::span<const TeamWorker> workers) {
-  const Vec2 wind = wind_();
   std::map<Executed, double> nearest;
   CoalitionProblem problem;
   problem.aircraft = workers.size();
@@ -90,11 +90,11 @@ CoalitionProblem CoalitionAllocation::problem_of(std::span<const TeamTask> tasks
         left.length *= 1 - *share;
         left.stay *= 1 - *share;
       }
-      double brings = satisfaction_of_one(task, left, worker.resources, wind);
+      double brings = satisfaction_of_one(task, left, worker.resources, *conditions_);
       if (!task.single && brings > 0) brings = 1;
       if (share) brings *= 1 + kKeep + *share;
       row.brings.push_back(brings);
-      auto time = time_to_begin(left, worker.resources, wind);
+      auto time = time_to_begin(left, worker.resources, *conditions_);
       if (share && time) {
         const Executed executed{worker.id, task.number};
         const auto before = nearest_.find(executed);
@@ -115,8 +115,9 @@ CoalitionProblem CoalitionAllocation::problem_of(std::span<const TeamTask> tasks
   return problem;
 }
 
-TeamAllocated CoalitionAllocation::operator()(std::span<const TeamTask> tasks,
+TeamAllocated CoalitionAllocation::operator()(std::span<const TeamTask> open,
                                               std::span<const TeamWorker> workers) {
+  const std::vector<TeamTask> tasks = ready_of(open);
   std::set<std::uint32_t> numbers;
   std::set<EntityId> ids;
   for (const TeamTask& task : tasks) numbers.insert(task.number);
@@ -144,14 +145,14 @@ TeamAllocated CoalitionAllocation::operator()(std::span<const TeamTask> tasks,
   return all;
 }
 
-double worth_in_wind(const TeamTask& task, const TeamResources& self,
-                     std::span<const TeamTask> bundle, const Vec2& wind) {
+double worth_of(const TeamTask& task, const TeamResources& self,
+                std::span<const TeamTask> bundle, const FlightConditions& conditions) {
   TeamResources from = self;
   if (!bundle.empty()) from.place = bundle.back().place;
   const TaskNeeds needs = needs_of(task);
-  const double satisfied = satisfaction_of_one(task, needs, from, wind);
+  const double satisfied = satisfaction_of_one(task, needs, from, conditions);
   if (satisfied <= 0) return 0;
-  const double hours = time_to_begin(needs, from, wind).value_or(0) / kHour;
+  const double hours = time_to_begin(needs, from, conditions).value_or(0) / kHour;
   return satisfied / (1 + hours);
 }
 

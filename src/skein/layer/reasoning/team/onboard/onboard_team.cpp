@@ -6,7 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "skein/layer/reasoning/team/onboard/coalition_allocation.h"
 #include "skein/layer/reasoning/team/onboard/packed_task.h"
 
 namespace skein::reasoning {
@@ -15,16 +14,7 @@ namespace {
 constexpr double kUnable = 60;        // after a task that it cannot fly [s]
 constexpr double kEndurance = 86400;  // while nothing is known of it [s]
 constexpr double kNotDone = 0.999;    // of a task, at most, until it is done
-
-TeamConfig with_wind(TeamConfig config, bool in_wind, const Vec2& wind) {
-  if (!in_wind) return config;
-  config.allocate = CoalitionAllocation([&wind] { return wind; });
-  config.utility = [&wind](const TeamTask& task, const TeamResources& self,
-                           std::span<const TeamTask> bundle) {
-    return worth_in_wind(task, self, bundle, wind);
-  };
-  return config;
-}
+constexpr double kLearnAgain = 1;     // of wind and zones, after [s]
 
 std::string text_of(const TeamTask& task) {
   const auto what = unpacked(task);
@@ -37,13 +27,14 @@ std::string text_of(const TeamTask& task) {
 OnboardTeam::OnboardTeam(EntityId self, OnboardTeamOptions options)
     : self_(self),
       options_(std::move(options)),
-      link_(self, with_wind(options_.config, options_.in_wind, wind_)) {
+      link_(self, with_sharing(options_.config, options_.sharing, conditions_)) {
   resources_.speed = options_.cruise;
   resources_.sensors = options_.sensors;
 }
 
 void OnboardTeam::step(const AgentInput& in, const TeamWork& work, AgentOutput& out) {
   note(work, in.now);
+  learn(in, work);
   say_resources(in, work);
   link_.step(in, out);
   take_task(in.now, out);
@@ -54,15 +45,25 @@ void OnboardTeam::note(const TeamWork& work, Time now) {
   if (work.state == TaskState::kImpossible || work.state == TaskState::kNone)
     unable_until_ = now + Time::from_seconds(kUnable);
   const bool done = work.state == TaskState::kDone;
+  if (done) flown_.insert(*work.task);
   link_.member().set_progress(*work.task,
                               done ? 1 : std::clamp(work.share, 0.0, kNotDone));
 }
 
-void OnboardTeam::say_resources(const AgentInput& in, const TeamWork& work) {
-  if (in.nav) {
-    resources_.place = in.nav->p_N;
-    wind_ = in.nav->wind_N;
+void OnboardTeam::learn(const AgentInput& in, const TeamWork& work) {
+  if (!in.nav) return;
+  if (!learned_) {
+    resources_.home_north = static_cast<float>(in.nav->p_N.x());
+    resources_.home_east = static_cast<float>(in.nav->p_N.y());
   }
+  if (learned_ && in.now - *learned_ < Time::from_seconds(kLearnAgain)) return;
+  learned_ = in.now;
+  conditions_.set_wind(in.nav->wind_N);
+  conditions_.set_zones(work.zones, -in.nav->p_N.z(), in.now.seconds());
+}
+
+void OnboardTeam::say_resources(const AgentInput& in, const TeamWork& work) {
+  if (in.nav) resources_.place = in.nav->p_N;
   resources_.endurance =
       std::clamp(in.autopilot.endurance.value_or(kEndurance), 0.0, kEndurance);
   resources_.able = in.nav != nullptr && work.free && in.now >= unable_until_;
@@ -72,14 +73,17 @@ void OnboardTeam::say_resources(const AgentInput& in, const TeamWork& work) {
 
 void OnboardTeam::take_task(Time now, AgentOutput& out) {
   const auto& executed = link_.member().tasks();
-  if (executed.empty()) {
+  // Who leads may not know yet what is done: what comes next is flown at once.
+  const auto next = std::ranges::find_if(
+      executed, [this](std::uint32_t number) { return !flown_.contains(number); });
+  if (next == executed.end()) {
     if (task_) out.events.push_back({now, self_, "team-task-over", text_of(*task_)});
     task_.reset();
     return;
   }
-  if (task_ && task_->number == executed.front()) return;
+  if (task_ && task_->number == *next) return;
   const auto& known = link_.member().knowledge().tasks;
-  const auto found = known.find(executed.front());
+  const auto found = known.find(*next);
   if (found == known.end()) return;
   if (task_) out.events.push_back({now, self_, "team-task-over", text_of(*task_)});
   task_ = found->second;

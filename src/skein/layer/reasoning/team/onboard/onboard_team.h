@@ -2,16 +2,17 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
+#include <span>
 
+#include "skein/layer/reasoning/team/onboard/task_sharing.h"
 #include "skein/layer/reasoning/team/onboard/team_link.h"
 
 namespace skein::reasoning {
 
 struct OnboardTeamOptions {
   TeamConfig config;
-  /// Tasks are shared by what they need in the wind (CoalitionAllocation), in auctions
-  /// by worth_in_wind(); else as `config` says.
-  bool in_wind = true;
+  TaskSharing sharing = TaskSharing::kCoalitions;
   double cruise = 15;         ///< airspeed of the aircraft [m/s]
   std::uint32_t sensors = 0;  ///< TeamSensors on board
 };
@@ -20,14 +21,15 @@ struct OnboardTeamOptions {
 struct TeamWork {
   bool free = true;     ///< neither a pilot nor a failsafe flies, nor an operator's order
   bool leaves = false;  ///< it flies no more: a failsafe brings it home
+  std::span<const Zone> zones = {};        ///< in force
   std::optional<std::uint32_t> task = {};  ///< of the team, that it has
   TaskState state = TaskState::kNone;      ///< of that task
   double share = 0;                        ///< of it that is done
 };
 
 /// The part of an agent on board that is a member of a team which leads itself: says what
-/// the aircraft is able to do and how far it is, and which of the team's tasks it flies.
-/// As a master it shares the tasks out.
+/// the aircraft is able to do and how far it is, and which of the team's tasks it flies:
+/// of several one after the other. As a master it shares the tasks out.
 ///
 /// Who finds that it cannot fly what it was given, or has it cancelled by the operator,
 /// is not able for a minute, so that another one gets it. Events: those of TeamLink, and
@@ -47,15 +49,18 @@ class OnboardTeam {
 
  private:
   void say_resources(const AgentInput& in, const TeamWork& work);
+  void learn(const AgentInput& in, const TeamWork& work);
   void note(const TeamWork& work, Time now);
   void take_task(Time now, AgentOutput& out);
 
   EntityId self_;
   OnboardTeamOptions options_;
-  Vec2 wind_ = Vec2::Zero();  // as last believed [m/s]
+  FlightConditions conditions_;  // as last believed
+  std::optional<Time> learned_;  // when
   TeamLink link_;
   TeamResources resources_;
   std::optional<TeamTask> task_;
+  std::set<std::uint32_t> flown_;  // of the team's, that it has done
   Time unable_until_;
 };
 

@@ -1,6 +1,7 @@
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "skein/geo/polygon.h"
@@ -28,11 +29,12 @@ Vec2 middle_of(const std::vector<Vec2>& points) {
   return (low + high) / 2;
 }
 
-// Along points that it begins at, some times over.
-TaskNeeds along(const std::vector<Vec2>& points, double length) {
+// Along points that it begins at, some times over; it ends at the last of a line.
+TaskNeeds along(const std::vector<Vec2>& points, double length, bool line = false) {
   TaskNeeds needs;
   if (points.empty()) return needs;
   needs.begin = points.front();
+  if (line) needs.end = points.back();
   needs.centre = middle_of(points);
   needs.length = length;
   return needs;
@@ -59,7 +61,7 @@ struct NeedsOfKind {
     return needs;
   }
   TaskNeeds operator()(const FollowLine& t) const {
-    return along(t.points, length_of(t.points, false));
+    return along(t.points, length_of(t.points, false), true);
   }
   TaskNeeds operator()(const FlyCourse&) const { return endless({}); }
   TaskNeeds operator()(const FlyRoute& t) const {
@@ -98,6 +100,7 @@ struct NeedsOfKind {
   TaskNeeds operator()(const FlyPlan& t) const {
     if (t.plan.empty()) return {};
     TaskNeeds needs = at(geo::horizontal(t.plan.front().p_N), 0);
+    needs.end = geo::horizontal(t.plan.back().p_N);
     for (const FlightElement& element : t.plan) needs.stay += element.duration;
     return needs;
   }
@@ -121,7 +124,7 @@ TaskNeeds needs_of(const TeamTask& task) {
 }
 
 TeamTask team_task(std::uint32_t number, const TaskKind& what, std::uint32_t sensors,
-                   bool group) {
+                   bool group, std::vector<std::uint32_t> after) {
   const TaskNeeds needs = needs_of(what);
   TeamTask task;
   task.number = number;
@@ -129,34 +132,32 @@ TeamTask team_task(std::uint32_t number, const TaskKind& what, std::uint32_t sen
   task.single = !group;
   task.sensors = sensors | needs.sensors;
   task.what = packed(what);
+  task.after = std::move(after);
   return task;
 }
 
-std::optional<double> time_in_wind(const Vec2& leg, double speed, const Vec2& wind) {
-  const double distance = leg.norm();
-  if (distance <= 0) return 0;
-  const Vec2 along = leg / distance;
-  const double across = along.x() * wind.y() - along.y() * wind.x();
-  if (std::abs(across) >= speed) return std::nullopt;
-  const double over_ground = wind.dot(along) + std::sqrt(speed * speed - across * across);
-  if (over_ground <= 0) return std::nullopt;
-  return distance / over_ground;
+std::optional<double> time_to_begin(const TaskNeeds& needs,
+                                    const TeamResources& resources,
+                                    const FlightConditions& conditions) {
+  if (!needs.begin) return 0;
+  return conditions.time(geo::horizontal(resources.place), *needs.begin, resources.speed);
 }
 
-std::optional<double> time_to_begin(const TaskNeeds& needs,
-                                    const TeamResources& resources, const Vec2& wind) {
-  if (!needs.begin) return 0;
-  return time_in_wind(*needs.begin - geo::horizontal(resources.place), resources.speed,
-                      wind);
+std::optional<double> time_home(const TaskNeeds& needs, const TeamResources& resources,
+                                const FlightConditions& conditions) {
+  const Vec2 begin = needs.begin.value_or(geo::horizontal(resources.place));
+  return conditions.time(needs.end.value_or(begin),
+                         {resources.home_north, resources.home_east}, resources.speed);
 }
 
 // Within the task it flies to and fro, with the wind and against it: V / (V^2 - w^2) for
 // each metre.
 std::optional<double> time_within(const TaskNeeds& needs, const TeamResources& resources,
-                                  const Vec2& wind) {
+                                  const FlightConditions& conditions) {
   const double stay = needs.stay + (needs.endless ? kEndless : 0);
   if (needs.length <= 0) return stay;
-  const double left = resources.speed * resources.speed - wind.squaredNorm();
+  const double left =
+      resources.speed * resources.speed - conditions.wind().squaredNorm();
   if (left <= 0) return std::nullopt;
   return needs.length * resources.speed / left + stay;
 }

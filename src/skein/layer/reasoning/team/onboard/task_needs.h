@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "skein/data/task.h"
 #include "skein/data/team_message.h"
+#include "skein/layer/reasoning/team/onboard/flight_conditions.h"
 
 namespace skein::reasoning {
 
@@ -18,6 +20,7 @@ enum TeamSensors : std::uint32_t {
 /// What a task takes of an aircraft that flies it alone.
 struct TaskNeeds {
   std::optional<Vec2> begin = {};  ///< where it begins, N [m]; none: anywhere
+  std::optional<Vec2> end = {};    ///< where it ends, N [m]; none: where it begins
   Vec2 centre = Vec2::Zero();      ///< of it, N [m]; of no place: the origin
   double length = 0;               ///< of the flight within it [m]
   double stay = 0;                 ///< besides [s]
@@ -37,26 +40,28 @@ TaskNeeds needs_of(const TeamTask& task);
 /// @param number   among the mission's, from 1.
 /// @param sensors  that it takes besides.
 /// @param group    several may fly it at once.
+/// @param after    numbers of tasks that are over before it is flown.
 TeamTask team_task(std::uint32_t number, const TaskKind& what, std::uint32_t sensors,
-                   bool group);
+                   bool group, std::vector<std::uint32_t> after = {});
 
-/// Time of a straight flight in wind.
-///
-///   leg / (w_along + sqrt(V^2 - w_across^2))
-///
-/// @param speed  through the air [m/s].
-/// @returns  [s]; none: it does not get there against the wind.
-std::optional<double> time_in_wind(const Vec2& leg, double speed, const Vec2& wind);
-
-/// How long an aircraft flies straight to where a task begins.
-/// @param wind  as believed [m/s].
+/// How long an aircraft flies to where a task begins.
 /// @returns  [s]; none: it does not get there against the wind.
 std::optional<double> time_to_begin(const TaskNeeds& needs,
-                                    const TeamResources& resources, const Vec2& wind);
+                                    const TeamResources& resources,
+                                    const FlightConditions& conditions);
 
 /// How long it needs for the task itself; without an end an hour counts.
 /// @returns  [s]; none: the wind is too strong.
 std::optional<double> time_within(const TaskNeeds& needs, const TeamResources& resources,
-                                  const Vec2& wind);
+                                  const FlightConditions& conditions);
+
+/// How long it flies home from where a task ends.
+/// @returns  [s]; none: it does not get there against the wind.
+std::optional<double> time_home(const TaskNeeds& needs, const TeamResources& resources,
+                                const FlightConditions& conditions);
+
+/// The endurance that an aircraft is to have over the time that a task takes it, there
+/// and home.
+inline constexpr double kEnduranceReserve = 1.2;
 
 }  // namespace skein::reasoning

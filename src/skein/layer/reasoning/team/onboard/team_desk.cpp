@@ -1,24 +1,48 @@
 #include "skein/layer/reasoning/team/onboard/team_desk.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 
-#include "skein/layer/reasoning/team/onboard/coalition_allocation.h"
+#include "skein/layer/reasoning/team/onboard/packed_task.h"
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
 
 namespace skein::reasoning {
 namespace {
 
-TeamConfig with_reported_wind(TeamConfig config, bool in_wind, const Vec2& wind) {
-  if (in_wind) config.allocate = CoalitionAllocation([&wind] { return wind; });
-  return config;
+constexpr double kLookAgain = 1;  // at what has become of tasks, after [s]
+
+TeamTaskState state_of(const TeamTask& task,
+                       const std::map<std::uint32_t, TeamTask>& all, bool is_flown) {
+  if (task.withdrawn) return TeamTaskState::kWithdrawn;
+  if (task.done) return TeamTaskState::kDone;
+  if (is_flown) return TeamTaskState::kFlown;
+  const bool waits = std::ranges::any_of(task.after, [&](std::uint32_t before) {
+    const auto known = all.find(before);
+    return known == all.end() || !known->second.done;
+  });
+  return waits ? TeamTaskState::kWaits : TeamTaskState::kOpen;
+}
+
+std::string text_of(const TeamTask& task) {
+  const auto what = unpacked(task);
+  std::string text =
+      fmt::format("{}: {}", task.number, what ? kind_of(*what) : "nothing");
+  for (const std::uint32_t number : task.after)
+    text += fmt::format("{} {}", number == task.after.front() ? " after" : ",", number);
+  return text;
 }
 
 }  // namespace
 
-TeamDesk::TeamDesk(EntityId self, TeamConfig config, bool in_wind, const Vec3& place)
-    : link_(self, with_reported_wind(std::move(config), in_wind, wind_)) {
+TeamDesk::TeamDesk(TeamDeskOptions options)
+    : self_(options.self),
+      zones_(options.zones),
+      link_(options.self,
+            with_sharing(std::move(options.config), options.sharing, conditions_)) {
   TeamResources resources;
-  resources.place = place;
+  resources.place = options.place;
   resources.able = false;
   link_.member().set_resources(resources);
 }
@@ -26,28 +50,66 @@ TeamDesk::TeamDesk(EntityId self, TeamConfig config, bool in_wind, const Vec3& p
 std::vector<std::uint32_t> TeamDesk::hand_in(const std::string& mission,
                                              std::span<const WantedTask> tasks,
                                              Time now) {
-  if (mission_.empty()) mission_ = mission;
+  open(mission);
   std::vector<std::uint32_t> numbers;
   std::vector<TeamTask> all;
   for (const WantedTask& wanted : tasks) {
     numbers.push_back(++last_);
-    all.push_back(team_task(last_, wanted.what, wanted.sensors, wanted.group));
+    all.push_back(
+        team_task(last_, wanted.what, wanted.sensors, wanted.group, wanted.after));
   }
   link_.member().hand_in(mission_, all, now);
   return numbers;
 }
 
+void TeamDesk::open(const std::string& mission) {
+  if (mission_.empty()) mission_ = mission;
+}
+
 void TeamDesk::step(const AgentInput& in, AgentOutput& out) {
   if (in.now == stepped_) return;
   stepped_ = in.now;
-  learn_wind(in);
+  learn(in);
   link_.step(in, out);
+  if (looked_ && in.now - *looked_ < Time::from_seconds(kLookAgain)) return;
+  looked_ = in.now;
+  record_tasks(out);
 }
 
-void TeamDesk::learn_wind(const AgentInput& in) {
-  for (const Message& message : in.inbox)
-    if (const auto* report = std::get_if<AircraftReport>(&message.content))
-      wind_ = report->nav.wind_N;
+void TeamDesk::record_tasks(AgentOutput& out) {
+  const auto tasks = link_.member().all_tasks();
+  const auto executors = link_.member().executors();
+  for (const auto& [number, task] : tasks) {
+    const auto executor = executors.find(number);
+    TeamTaskReport report;
+    report.team = mission_;
+    report.number = number;
+    const auto what = unpacked(task);
+    report.what = what ? kind_of(*what) : "nothing";
+    report.place = task.place;
+    report.after = task.after;
+    report.group = !task.single;
+    if (executor != executors.end() && !task.done) report.executor = executor->second;
+    report.state = state_of(task, tasks, report.executor.has_value());
+    TeamTaskReport& last = recorded_[number];
+    if (last == report) continue;
+    last = report;
+    out.records.emplace_back(std::move(report));
+  }
+}
+
+void TeamDesk::learn(const AgentInput& in) {
+  bool is_new = false;
+  for (const Message& message : in.inbox) {
+    if (const auto* report = std::get_if<AircraftReport>(&message.content)) {
+      conditions_.set_wind(report->nav.wind_N);
+      altitude_msl_ = -report->nav.p_N.z();
+      is_new = true;
+    } else if (const auto* change = std::get_if<ZoneChange>(&message.content)) {
+      is_new |= zones_.take(*change);
+    }
+  }
+  if (is_new) conditions_.set_zones(zones_.zones(), altitude_msl_, in.now.seconds());
 }
 
 std::string TeamDesk::decide(const AllocationCommand& command, Time now) {
@@ -56,7 +118,67 @@ std::string TeamDesk::decide(const AllocationCommand& command, Time now) {
                                command.action == AllocationAction::kApprove);
 }
 
+std::string TeamDesk::obey(const TeamTaskCommand& command, const TaskKind& what,
+                           AgentOutput& out, Time now) {
+  if (stepped_ != now) return "no mission of the team is going on.";
+  const auto known = link_.member().all_tasks();
+  for (const std::uint32_t number : command.after)
+    if (!known.contains(number)) return fmt::format("there is no task {}.", number);
+  if (command.action == TeamTaskAction::kAdd) {
+    add(team_task(0, what, 0, command.group, command.after), out, now);
+    return "";
+  }
+  const auto found = known.find(command.number);
+  if (found == known.end()) return fmt::format("there is no task {}.", command.number);
+  if (found->second.done) return fmt::format("task {} is over.", command.number);
+  if (command.action == TeamTaskAction::kWithdraw) {
+    withdraw(command.number, out, now);
+    return "";
+  }
+  TeamTask by = team_task(0, what, found->second.sensors, !found->second.single,
+                          found->second.after);
+  by.branch = found->second.branch;
+  replace(command.number, std::move(by), out, now);
+  return "";
+}
+
+std::uint32_t TeamDesk::add(TeamTask task, AgentOutput& out, Time now) {
+  task.number = ++last_;
+  added_.push_back(last_);
+  out.events.push_back({now, self_, "team-task-added", text_of(task)});
+  link_.member().hand_in(mission_, {&task, 1}, now);
+  return last_;
+}
+
+void TeamDesk::withdraw(std::uint32_t task, AgentOutput& out, Time now) {
+  const TeamTask known = link_.member().all_tasks().at(task);
+  if (link_.member().withdraw_task(task))
+    out.events.push_back({now, self_, "team-task-withdrawn", text_of(known)});
+}
+
+// Nobody has begun what waits for it.
+void TeamDesk::replace(std::uint32_t task, TeamTask by, AgentOutput& out, Time now) {
+  const std::uint32_t number = add(std::move(by), out, now);
+  replaced_[task] = number;
+  std::vector<TeamTask> waiting;
+  for (const auto& [other, known] : link_.member().all_tasks())
+    if (!known.done && std::ranges::find(known.after, task) != known.after.end())
+      waiting.push_back(known);
+  for (TeamTask& each : waiting) {
+    std::ranges::replace(each.after, task, number);
+    each.released = false;
+    replace(each.number, each, out, now);
+  }
+  withdraw(task, out, now);
+}
+
+bool TeamDesk::is_all_added_done() const {
+  return std::ranges::all_of(added_, [this](auto task) { return is_done(task); });
+}
+
 bool TeamDesk::is_done(std::uint32_t task) const {
+  for (auto by = replaced_.find(task); by != replaced_.end(); by = replaced_.find(task))
+    task = by->second;
   const auto& known = link_.member().knowledge().tasks;
   const auto found = known.find(task);
   return found != known.end() && found->second.done;

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "skein/data/command.h"
+#include "skein/data/zone_set.h"
+#include "skein/layer/reasoning/team/onboard/task_sharing.h"
 #include "skein/layer/reasoning/team/onboard/team_link.h"
 
 namespace skein::reasoning {
@@ -15,18 +19,33 @@ struct WantedTask {
   TaskKind what = Hold{};
   std::uint32_t sensors = 0;  ///< TeamSensors that it takes besides those of its kind
   bool group = false;         ///< several may fly it at once
+  std::vector<std::uint32_t> after = {};  ///< numbers of tasks that are over before
+};
+
+struct TeamDeskOptions {
+  EntityId self;
+  TeamConfig config;
+  /// As a master that never hands over: by the wind that its aircraft report.
+  TaskSharing sharing = TaskSharing::kCoalitions;
+  Vec3 place = Vec3::Zero();     ///< of the station, N [m]
+  std::vector<Zone> zones = {};  ///< in force from the start
 };
 
 /// The part of a ground station that hands tasks to a team which leads itself, and sees
 /// who leads it and what is done. It flies nothing. Whatever missions a station hands to
-/// its team, it has one desk, and their tasks are those of one mission of the team.
+/// its team, it has one desk, and their tasks are those of one mission of the team. It
+/// records how far each is, when that has changed.
+///
+/// Events: "team-task-added" and "team-task-withdrawn" with the number and kind of a task
+/// that the operator adds or does not want any more.
 class TeamDesk {
  public:
-  /// @param in_wind  as a master that never hands over it shares tasks by what they need
-  ///                 in the wind that its aircraft report.
-  TeamDesk(EntityId self, TeamConfig config, bool in_wind, const Vec3& place);
+  explicit TeamDesk(TeamDeskOptions options);
   TeamDesk(const TeamDesk&) = delete;
   TeamDesk& operator=(const TeamDesk&) = delete;
+
+  /// A mission has begun: the first one names that of the team.
+  void open(const std::string& mission);
 
   /// Adds tasks of a mission.
   /// @returns  their numbers among all of the team's.
@@ -40,16 +59,36 @@ class TeamDesk {
   /// @returns  why that cannot be; empty: the leader is told.
   std::string decide(const AllocationCommand& command, Time now);
 
-  /// As far as the station has heard.
+  /// The operator adds a task, withdraws one, or wants another one in its place. What
+  /// waits for a task that is replaced waits for the other one.
+  /// @param what  of the command, with numbers in place of names.
+  /// @returns  why that cannot be; empty: the leader is told.
+  std::string obey(const TeamTaskCommand& command, const TaskKind& what,
+                   AgentOutput& out, Time now);
+
+  /// As far as the station has heard; of one that was replaced the other one.
   bool is_done(std::uint32_t task) const;
+  /// The same of all that the operator has added by command.
+  bool is_all_added_done() const;
 
  private:
-  void learn_wind(const AgentInput& in);
+  void learn(const AgentInput& in);
+  void record_tasks(AgentOutput& out);
+  std::uint32_t add(TeamTask task, AgentOutput& out, Time now);
+  void withdraw(std::uint32_t task, AgentOutput& out, Time now);
+  void replace(std::uint32_t task, TeamTask by, AgentOutput& out, Time now);
 
-  Vec2 wind_ = Vec2::Zero();  // as last reported [m/s]
+  EntityId self_;
+  FlightConditions conditions_;  // as last reported
+  ZoneSet zones_;
+  double altitude_msl_ = 0;  // of the aircraft that reported last [m]
   TeamLink link_;
   std::string mission_;  // of the team: the first that was handed in
   std::uint32_t last_ = 0;
+  std::map<std::uint32_t, std::uint32_t> replaced_;  // by which
+  std::vector<std::uint32_t> added_;                 // by command
+  std::map<std::uint32_t, TeamTaskReport> recorded_;
+  std::optional<Time> looked_;  // when
   Time stepped_ = Time::from_ns(-1);
 };
 

@@ -54,8 +54,16 @@ std::set<std::uint32_t> executed(std::span<const TeamWorker> workers) {
 
 }  // namespace
 
-TeamAllocation allocate_nearest(std::span<const TeamTask> tasks,
+std::vector<TeamTask> ready_of(std::span<const TeamTask> tasks) {
+  std::vector<TeamTask> ready;
+  for (const TeamTask& task : tasks)
+    if (task.after.empty()) ready.push_back(task);
+  return ready;
+}
+
+TeamAllocation allocate_nearest(std::span<const TeamTask> all,
                                 std::span<const TeamWorker> workers) {
+  const std::vector<TeamTask> tasks = ready_of(all);
   TeamAllocation given;
   for (const TeamWorker& worker : workers) given[worker.id] = {};
   std::set<std::uint32_t> taken;

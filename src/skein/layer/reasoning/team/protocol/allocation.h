@@ -35,6 +35,8 @@ struct TeamAllocated {
 };
 
 /// Shares tasks among workers: every worker has an entry, no single task two workers.
+/// Of TeamTask::after there is only what is not over: what it is not empty for cannot be
+/// flown yet.
 using AllocateTasks =
     std::function<TeamAllocated(std::span<const TeamTask>, std::span<const TeamWorker>)>;
 
@@ -43,10 +45,13 @@ using DivideTasks = std::function<std::set<std::uint32_t>(
     std::span<const TeamTask>, std::span<const TeamWorker> first,
     std::span<const TeamWorker> second)>;
 
+/// Those that can be flown now.
+std::vector<TeamTask> ready_of(std::span<const TeamTask> tasks);
+
 /// One task a worker: each keeps the first of its own (of two with the same the lower
 /// id), then the nearest pairs of a free worker and a task that nobody has; workers that
 /// are left join the nearest group task.
-TeamAllocation allocate_nearest(std::span<const TeamTask> tasks,
+TeamAllocation allocate_nearest(std::span<const TeamTask> all,
                                 std::span<const TeamWorker> workers);
 
 /// Tasks stay with the team that executes them (both: the first); the others are shared

@@ -31,10 +31,11 @@ bool is_sane(const std::optional<TeamMission>& mission) {
 }
 bool is_sane(const TeamResources& resources) {
   return is_sane(resources.place) && is_sane(resources.speed) &&
-         is_sane(resources.endurance);
+         is_sane(resources.endurance) &&
+         is_sane(Vec3(resources.home_north, resources.home_east, 0));
 }
 bool is_sane(const TeamTask& task) {
-  return is_sane(task.place);
+  return is_sane(task.place) && task.after.size() <= kMaxItems;
 }
 bool is_sane(const TeamProgress& progress) {
   return progress.share >= 0 && progress.share <= 1;

@@ -14,13 +14,14 @@ std::pair<EntityId, EntityId> pair_of(EntityId a, EntityId b) {
 }
 
 bool knows_more(const TeamTask& own, const TeamTask& other) {
-  return (own.done && !other.done) || (own.released && !other.released) ||
-         (own.branch && !other.branch);
+  return (own.done && !other.done) || (own.withdrawn && !other.withdrawn) ||
+         (own.released && !other.released) || (own.branch && !other.branch);
 }
 
 // What both know of a task together: nothing of it is ever undone.
 void learn(TeamTask& own, const TeamTask& other) {
   own.done = own.done || other.done;
+  own.withdrawn = own.withdrawn || other.withdrawn;
   own.released = own.released || other.released;
   if (!own.branch) own.branch = other.branch;
 }
@@ -29,6 +30,14 @@ void learn(TeamTask& own, const TeamTask& other) {
 
 void TeamKnowledge::submit(std::span<const TeamTask> all) {
   for (const TeamTask& task : all) tasks[task.number] = task;
+}
+
+bool TeamKnowledge::withdraw(std::uint32_t task) {
+  const auto known = tasks.find(task);
+  if (known == tasks.end() || known->second.done) return false;
+  known->second.done = known->second.withdrawn = true;
+  news_.insert(task);
+  return true;
 }
 
 std::uint32_t TeamKnowledge::meetings(EntityId a, EntityId b) const {

@@ -19,6 +19,10 @@ class TeamKnowledge {
 
   void submit(std::span<const TeamTask> all);
 
+  /// The operator does not want a task any more.
+  /// @returns  false when it is not known, or over.
+  bool withdraw(std::uint32_t task);
+
   /// How often two masters have met.
   std::uint32_t meetings(EntityId a, EntityId b) const;
   /// The larger number of meetings counts.
@@ -32,7 +36,7 @@ class TeamKnowledge {
   std::uint32_t parts() const;
 
   /// Takes in a part of the master's; what it says replaces all when the last is there.
-  /// But what is done or approved stays so, and tasks that the master lacks are kept.
+  /// But what is done, withdrawn or approved stays so, and tasks that the master lacks are kept.
   void take(const TeamState& state);
   /// The master has said these tasks: what it does not know of them is news to it.
   void compare(std::span<const TeamTask> masters);

@@ -301,7 +301,7 @@ void TeamMember::step_alone() {
     const auto* contact = contacts_.find(id);
     if (!contact || now_ - contact->heard > lost_) auction_.drop(id);
   }
-  if (auction_.bid(self_, resources_, tasks, config_.utility, config_.bundle))
+  if (auction_.bid(self_, resources_, ready_of(tasks), config_.utility, config_.bundle))
     next_inform_ = std::min(next_inform_, now_);
   set_executing(auction_.won());
   set_status(TeamReason::kAlone);

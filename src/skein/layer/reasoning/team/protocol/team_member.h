@@ -74,6 +74,15 @@ class TeamMember {
   /// else the master is asked to take them, until it has them.
   void hand_in(const std::string& mission, std::span<const TeamTask> tasks, Time now);
 
+  /// The operator, who is with this member, does not want a task any more. Whoever leads
+  /// is told; who flies it stops, and what comes after it need not wait.
+  /// @returns  false when it is not known here, or over.
+  bool withdraw_task(std::uint32_t task);
+  /// Tasks that are known here, those among them that the leader has not heard of yet.
+  std::map<std::uint32_t, TeamTask> all_tasks() const;
+  /// Who flies which task now, as others have said; of several the lowest id.
+  std::map<std::uint32_t, EntityId> executors() const;
+
   void set_resources(const TeamResources& resources) { resources_ = resources; }
   /// How far it is with a task that it executes; 1: done.
   void set_progress(std::uint32_t task, double share) { progress_[task] = share; }

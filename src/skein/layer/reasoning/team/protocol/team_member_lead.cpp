@@ -189,9 +189,16 @@ bool TeamMember::is_ours(const TeamTask& task) const {
 }
 
 std::vector<TeamTask> TeamMember::open_tasks() const {
+  const auto is_over = [this](std::uint32_t number) {
+    const auto known = knowledge_.tasks.find(number);
+    return known != knowledge_.tasks.end() && known->second.done;
+  };
   std::vector<TeamTask> open;
-  for (const auto& [number, task] : knowledge_.tasks)
-    if (!task.done && is_ours(task)) open.push_back(task);
+  for (const auto& [number, task] : knowledge_.tasks) {
+    if (task.done || !is_ours(task)) continue;
+    open.push_back(task);
+    std::erase_if(open.back().after, is_over);
+  }
   return open;
 }
 

@@ -11,6 +11,32 @@ void TeamMember::hand_in(const std::string& mission, std::span<const TeamTask> t
   submit(mission, tasks, now);
 }
 
+bool TeamMember::withdraw_task(std::uint32_t task) {
+  const auto own = handed_in_.find(task);
+  const bool is_unheard = own != handed_in_.end() && !knowledge_.tasks.contains(task);
+  if (is_unheard ? own->second.done : !knowledge_.withdraw(task)) return false;
+  if (own != handed_in_.end()) own->second.done = own->second.withdrawn = true;
+  changed_ = true;
+  return true;
+}
+
+std::map<std::uint32_t, TeamTask> TeamMember::all_tasks() const {
+  std::map<std::uint32_t, TeamTask> all = knowledge_.tasks;
+  all.insert(handed_in_.begin(), handed_in_.end());
+  return all;
+}
+
+std::map<std::uint32_t, EntityId> TeamMember::executors() const {
+  std::map<std::uint32_t, EntityId> all;
+  for (const auto& [id, contact] : contacts_.all()) {
+    if (now_ - contact.informed > lost_) continue;
+    const auto flown = std::ranges::find_if(
+        contact.inform.tasks, [](const TeamProgress& task) { return task.share < 1; });
+    if (flown != contact.inform.tasks.end()) all.try_emplace(flown->task, id);
+  }
+  return all;
+}
+
 // Those that the master does not know.
 void TeamMember::send_handed_in() {
   constexpr std::size_t kMaxAtOnce = 8;

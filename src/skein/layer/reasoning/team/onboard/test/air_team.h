@@ -26,6 +26,7 @@ struct AirTeam {
   };
 
   TeamConfig config;
+  TaskSharing sharing = TaskSharing::kCoalitions;
   double loss = 0, task_time = 40;
   bool station_hears = true;
   std::set<std::uint32_t> out_of_reach;  ///< aircraft that the station does not hear
@@ -34,6 +35,7 @@ struct AirTeam {
   std::vector<Event> events;
   std::map<EntityId, TeamLead> leads;
   std::vector<TeamAllocationReport> allocations;
+  std::map<std::uint32_t, std::vector<std::string>> states;  ///< of tasks, one by one
   std::vector<Message> to_station;
   std::map<std::uint32_t, int> executed;  // how often each task was done
   std::map<std::string, int> said;        // how many messages of each kind
@@ -48,13 +50,18 @@ struct AirTeam {
     config.times.mission_diameter = 0;
     if (structure == TeamStructure::kMaster) config.operators = {EntityId{0}};
     if (structure == TeamStructure::kFixedMaster) config.fixed_master = EntityId{0};
-    desk = std::make_unique<TeamDesk>(EntityId{0}, config, true, Vec3::Zero());
+    restart();
+  }
+  /// The station begins anew.
+  void restart() {
+    desk = std::make_unique<TeamDesk>(TeamDeskOptions{EntityId{0}, config, sharing});
   }
 
   void add(std::uint32_t id, const Vec2& place, std::uint32_t sensors = 0) {
     OnboardTeamOptions options;
     options.config = config;
     options.sensors = sensors;
+    options.sharing = sharing;
     Aircraft& made = aircraft[EntityId{id}];
     made.team = std::make_unique<OnboardTeam>(EntityId{id}, options);
     made.nav.p_N = {place.x(), place.y(), -100};
@@ -106,6 +113,8 @@ struct AirTeam {
           if (const auto* lead = std::get_if<TeamLead>(&record)) leads[id] = *lead;
           if (const auto* report = std::get_if<TeamAllocationReport>(&record))
             allocations.push_back(*report);
+          if (const auto* task = std::get_if<TeamTaskReport>(&record))
+            states[task->number].emplace_back(name_of(task->state));
         }
         events.insert(events.end(), out.events.begin(), out.events.end());
       };

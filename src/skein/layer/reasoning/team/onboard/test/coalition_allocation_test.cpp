@@ -21,10 +21,17 @@ TeamTask measure(std::uint32_t number, const Vec2& place) {
   return team_task(number, Measure{place, 30}, 0, false);
 }
 
+FlightConditions in_wind(const Vec2& wind) {
+  FlightConditions conditions;
+  conditions.set_wind(wind);
+  return conditions;
+}
+
 using Numbers = std::vector<std::uint32_t>;
 
 TEST(CoalitionAllocation, SharesForTheSumAndNotForTheNearest) {
-  CoalitionAllocation allocate([] { return Vec2(0, 0); });
+  const FlightConditions conditions = in_wind({0, 0});
+  CoalitionAllocation allocate(conditions);
   // The nearest pair is 2 and task 1: then 1 would have to fly 2100 m.
   const std::vector<TeamTask> tasks = {measure(1, {1000, 0}), measure(2, {2100, 0})};
   const std::vector<TeamWorker> workers = {worker(1, {0, 0}), worker(2, {1500, 0})};
@@ -36,25 +43,27 @@ TEST(CoalitionAllocation, SharesForTheSumAndNotForTheNearest) {
 TEST(CoalitionAllocation, TheWindDecidesWhoIsNear) {
   const std::vector<TeamTask> tasks = {measure(1, {0, 0})};
   const std::vector<TeamWorker> workers = {worker(1, {-1200, 0}), worker(2, {1000, 0})};
-  CoalitionAllocation calm([] { return Vec2(0, 0); });
-  CoalitionAllocation windy([] { return Vec2(10, 0); });
+  const FlightConditions none = in_wind({0, 0}), wind = in_wind({10, 0});
+  CoalitionAllocation calm(none), windy(wind);
   EXPECT_EQ(calm(tasks, workers).given.at(EntityId{2}), Numbers{1});
   EXPECT_EQ(windy(tasks, workers).given.at(EntityId{1}), Numbers{1});
 }
 
 TEST(CoalitionAllocation, SensorsAndEnduranceSayWhoIsAble) {
-  CoalitionAllocation allocate([] { return Vec2(0, 0); });
+  const FlightConditions conditions = in_wind({0, 0});
+  CoalitionAllocation allocate(conditions);
   std::vector<TeamTask> tasks = {team_task(1, Measure{{0, 0}, 30}, kCameraSensor, false)};
   std::vector<TeamWorker> workers = {worker(1, {0, 0}),
                                      worker(2, {3000, 0}, kCameraSensor)};
   EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{2}), Numbers{1});
-  workers[1].resources.endurance = 150;  // 180 s with the reserve
+  workers[1].resources.endurance = 210;  // 216 s there, for the task, home, and more
   EXPECT_TRUE(allocate(tasks, workers).given.at(EntityId{2}).empty());
   EXPECT_TRUE(allocate(tasks, workers).given.at(EntityId{1}).empty());
 }
 
 TEST(CoalitionAllocation, ChangesOnlyForMoreThanFivePercent) {
-  CoalitionAllocation allocate([] { return Vec2(0, 0); });
+  const FlightConditions conditions = in_wind({0, 0});
+  CoalitionAllocation allocate(conditions);
   const std::vector<TeamTask> tasks = {measure(1, {0, 0})};
   std::vector<TeamWorker> workers = {worker(1, {1000, 0}), worker(2, {1000, 10})};
   ASSERT_EQ(allocate(tasks, workers).given.at(EntityId{1}), Numbers{1});
@@ -66,7 +75,8 @@ TEST(CoalitionAllocation, ChangesOnlyForMoreThanFivePercent) {
 }
 
 TEST(CoalitionAllocation, WhoHasBegunWithATaskKeepsItWhereverThatLeads) {
-  CoalitionAllocation allocate([] { return Vec2(0, 0); });
+  const FlightConditions conditions = in_wind({0, 0});
+  CoalitionAllocation allocate(conditions);
   Survey survey;
   survey.area = {{0, 0}, {2000, 0}, {2000, 500}, {0, 500}};
   const std::vector<TeamTask> tasks = {team_task(1, survey, 0, false)};
@@ -83,8 +93,44 @@ TEST(CoalitionAllocation, WhoHasBegunWithATaskKeepsItWhereverThatLeads) {
   EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{1}), Numbers{1});
 }
 
+TEST(CoalitionAllocation, TheWayHomeCounts) {
+  const FlightConditions conditions = in_wind({0, 0});
+  CoalitionAllocation allocate(conditions);
+  const std::vector<TeamTask> tasks = {measure(1, {0, 0})};
+  std::vector<TeamWorker> workers = {worker(1, {0, 0})};
+  workers[0].resources.endurance = 300;
+  workers[0].resources.home_north = 4000;  // 200 s
+  EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{1}), Numbers{1});
+  workers[0].resources.home_north = 5000;
+  EXPECT_TRUE(allocate(tasks, workers).given.at(EntityId{1}).empty());
+}
+
+TEST(CoalitionAllocation, ZonesDecideWhoIsNear) {
+  Zone wall;
+  wall.area = geo::Ring{{400, -3000}, {600, -3000}, {600, 3000}, {400, 3000}};
+  FlightConditions conditions;
+  CoalitionAllocation allocate(conditions);
+  const std::vector<TeamTask> tasks = {measure(1, {0, 0})};
+  const std::vector<TeamWorker> workers = {worker(1, {1000, 0}), worker(2, {-2000, 0})};
+  EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{1}), Numbers{1});
+  conditions.set_zones({&wall, 1}, 100, 0);
+  EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{2}), Numbers{1});
+}
+
+TEST(CoalitionAllocation, WhatComesAfterAnotherTaskWaits) {
+  const FlightConditions conditions = in_wind({0, 0});
+  CoalitionAllocation allocate(conditions);
+  std::vector<TeamTask> tasks = {measure(1, {2000, 0}), measure(2, {0, 0})};
+  tasks[1].after = {1};
+  const std::vector<TeamWorker> workers = {worker(1, {0, 0}), worker(2, {0, 100})};
+  const TeamAllocation given = allocate(tasks, workers).given;
+  EXPECT_EQ(given.at(EntityId{1}).size() + given.at(EntityId{2}).size(), 1u);
+  for (const auto& [id, own] : given) EXPECT_TRUE(own.empty() || own == Numbers{1});
+}
+
 TEST(CoalitionAllocation, NoSingleTaskHasTwo) {
-  CoalitionAllocation allocate([] { return Vec2(3, -2); });
+  const FlightConditions conditions = in_wind({3, -2});
+  CoalitionAllocation allocate(conditions);
   std::vector<TeamTask> tasks = {measure(1, {0, 0}), measure(2, {0, 0})};
   std::vector<TeamWorker> workers;
   for (std::uint32_t id = 1; id <= 6; ++id) workers.push_back(worker(id, {0, 0}));
@@ -100,18 +146,19 @@ TEST(CoalitionAllocation, NoSingleTaskHasTwo) {
   EXPECT_GT(flown[2], 1);
 }
 
-TEST(WorthInWind, FallsWithTheTimeFromTheEndOfTheBundle) {
+TEST(WorthOf, FallsWithTheTimeFromTheEndOfTheBundle) {
   const TeamTask near = measure(1, {500, 0}), far = measure(2, {3000, 0});
   const TeamResources self = worker(1, {0, 0}).resources;
-  EXPECT_GT(worth_in_wind(near, self, {}, {0, 0}), worth_in_wind(far, self, {}, {0, 0}));
+  EXPECT_GT(worth_of(near, self, {}, in_wind({0, 0})), worth_of(far, self, {}, in_wind({0, 0})));
   const std::vector<TeamTask> bundle = {far};
-  EXPECT_LT(worth_in_wind(near, self, bundle, {0, 0}),
-            worth_in_wind(near, self, {}, {0, 0}));
-  EXPECT_EQ(worth_in_wind(near, self, {}, {-25, 0}), 0);
+  EXPECT_LT(worth_of(near, self, bundle, in_wind({0, 0})),
+            worth_of(near, self, {}, in_wind({0, 0})));
+  EXPECT_EQ(worth_of(near, self, {}, in_wind({-25, 0})), 0);
 }
 
 TEST(CoalitionAllocation, WhoWaitsForItsOrderKeepsWhatItWasGiven) {
-  CoalitionAllocation allocate([] { return Vec2(0, 0); });
+  const FlightConditions conditions = in_wind({0, 0});
+  CoalitionAllocation allocate(conditions);
   std::vector<TeamTask> tasks = {measure(1, {0, 0}), measure(2, {0, 0})};
   tasks[1].single = false;
   std::vector<TeamWorker> workers = {worker(1, {0, 0}), worker(2, {2000, 0})};

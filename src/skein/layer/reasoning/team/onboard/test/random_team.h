@@ -14,18 +14,20 @@ namespace skein::reasoning {
 
 /// A team to which things happen by chance, as a seed says: the radio is bad, and parts
 /// and joins them; members and the station are lost and come back, the operator or a
-/// failsafe takes aircraft, tasks come up, or turn out to be impossible. After some of it
+/// failsafe takes aircraft, tasks come up, some after others, are withdrawn, or turn out
+/// to be impossible. After some of it
 /// the radio is quiet for one re-selection, and all must be as the model says.
 class RandomTeam {
  public:
   static constexpr std::uint32_t kMaxAircraft = 7;
 
-  RandomTeam(std::uint64_t seed, const TeamConfig& config)
+  RandomTeam(std::uint64_t seed, const TeamConfig& config,
+             TaskSharing sharing = TaskSharing::kCoalitions)
       : random_(seed, 0, Purpose::kTest),
         // Proposed by who leads then, approved, and given as orders.
         exchanges_(config.approval ? 4 : 2),
-        world_(seed, config),
-        model_(world_, config) {
+        world_(seed, config, sharing),
+        model_(world_, config, sharing) {
     const std::uint32_t count = 2 + below(kMaxAircraft - 1);
     for (std::uint32_t id = 1; id <= kMaxAircraft; ++id) sensors_[id] = below(2);
     for (std::uint32_t id = 1; id <= count; ++id) start(id);
@@ -68,6 +70,9 @@ class RandomTeam {
   void add_task() {
     TeamWorld::Wanted task{place(), random_.uniform(5, 40), 0, below(8) == 0};
     if (below(4) == 0) task.sensors = kCameraSensor;
+    if (const auto count = static_cast<std::uint32_t>(world_.wanted.size());
+        count > 0 && below(4) == 0)
+      task.after = {1 + below(count)};
     world_.add_task(task);
     note("task " + std::to_string(world_.wanted.size()));
   }
@@ -107,9 +112,17 @@ class RandomTeam {
     note(leaves ? "station off" : "station on");
   }
 
+  void withdraw() {
+    const std::uint32_t task =
+        1 + below(static_cast<std::uint32_t>(world_.wanted.size()));
+    if (!world_.air.has(TeamWorld::kStation)) return;
+    note("withdraw " + std::to_string(task));
+    world_.withdraw(task);
+  }
+
   void change() {
     const auto one = any_aircraft();
-    const auto kind = below(12);
+    const auto kind = below(13);
     if (kind < 2) return part();
     if (kind < 4) return join();
     if (kind == 4) return add_task(), add_task();
@@ -119,6 +132,7 @@ class RandomTeam {
       if (!world_.aircraft.contains(EntityId{id})) start(id);
       return;
     }
+    if (kind == 12) return withdraw();
     if (!one) return;
     TeamWork& work = world_.aircraft.at(*one).work;
     const std::string name = std::to_string(one->value);

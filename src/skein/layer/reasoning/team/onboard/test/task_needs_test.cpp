@@ -7,16 +7,6 @@
 namespace skein::reasoning::task_needs_test {
 namespace {
 
-TEST(TimeInWind, IsThatOfTheGroundSpeedAlongTheLeg) {
-  EXPECT_DOUBLE_EQ(*time_in_wind({1000, 0}, 20, {0, 0}), 50);
-  EXPECT_DOUBLE_EQ(*time_in_wind({1000, 0}, 20, {5, 0}), 40);
-  EXPECT_DOUBLE_EQ(*time_in_wind({1000, 0}, 20, {-10, 0}), 100);
-  EXPECT_DOUBLE_EQ(*time_in_wind({1000, 0}, 20, {0, 12}), 1000.0 / 16);
-  EXPECT_DOUBLE_EQ(*time_in_wind({0, 0}, 20, {30, 0}), 0);
-  EXPECT_FALSE(time_in_wind({1000, 0}, 20, {-20, 0}));
-  EXPECT_FALSE(time_in_wind({1000, 0}, 20, {0, 21}));
-}
-
 TEST(TaskNeeds, OfASurveyAreTheAreaOverTheDistanceOfItsLines) {
   Survey survey;
   survey.area = {{0, 0}, {1000, 0}, {1000, 600}, {0, 600}};
@@ -27,9 +17,12 @@ TEST(TaskNeeds, OfASurveyAreTheAreaOverTheDistanceOfItsLines) {
   EXPECT_EQ(needs.centre, Vec2(500, 300));
   TeamResources resources;
   resources.speed = 20;
-  EXPECT_DOUBLE_EQ(*time_within(needs, resources, {0, 0}), 8000.0 / 20);
-  EXPECT_DOUBLE_EQ(*time_within(needs, resources, {0, 10}), 8000.0 * 20 / 300);
-  EXPECT_FALSE(time_within(needs, resources, {0, 20}));
+  FlightConditions conditions;
+  EXPECT_DOUBLE_EQ(*time_within(needs, resources, conditions), 8000.0 / 20);
+  conditions.set_wind({0, 10});
+  EXPECT_DOUBLE_EQ(*time_within(needs, resources, conditions), 8000.0 * 20 / 300);
+  conditions.set_wind({0, 20});
+  EXPECT_FALSE(time_within(needs, resources, conditions));
 }
 
 TEST(TaskNeeds, SayWhichSensorsATaskTakes) {
@@ -41,8 +34,29 @@ TEST(TaskNeeds, SayWhichSensorsATaskTakes) {
   EXPECT_TRUE(needs_of(TaskKind(Orbit{})).endless);
 }
 
+TEST(TaskNeeds, KnowWhereATaskEndsAndTheWayHomeFromThere) {
+  FollowLine line;
+  line.points = {{0, 0}, {1000, 0}, {1000, 500}};
+  const TaskNeeds needs = needs_of(TaskKind(line));
+  EXPECT_EQ(needs.begin, Vec2(0, 0));
+  EXPECT_EQ(needs.end, Vec2(1000, 500));
+  TeamResources resources;
+  resources.speed = 20;
+  resources.home_north = 1000;
+  resources.home_east = -500;
+  FlightConditions conditions;
+  EXPECT_DOUBLE_EQ(*time_home(needs, resources, conditions), 50);
+  conditions.set_wind({0, 10});
+  EXPECT_DOUBLE_EQ(*time_home(needs, resources, conditions), 100);
+  EXPECT_DOUBLE_EQ(*time_home(needs_of(TaskKind(Measure{{1000, 1500}, 60})), resources,
+                              conditions),
+                   200);
+}
+
 TEST(TeamTask, CarriesWhatIsFlown) {
-  const TeamTask task = team_task(4, Measure{{100, -200}, 45}, kCameraSensor, true);
+  const TeamTask task =
+      team_task(4, Measure{{100, -200}, 45}, kCameraSensor, true, {2, 3});
+  EXPECT_EQ(task.after, (std::vector<std::uint32_t>{2, 3}));
   EXPECT_EQ(task.number, 4u);
   EXPECT_EQ(task.sensors, kCameraSensor);
   EXPECT_FALSE(task.single);

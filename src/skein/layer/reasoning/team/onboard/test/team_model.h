@@ -21,14 +21,20 @@ namespace skein::reasoning {
 ///   for the second time, each branch has one;
 /// - all know the same: each task that any of them was told, and which ones are done;
 /// - who is able to and has no task leaves none that it could fly to nobody;
-/// - no single task is flown by two, and none that one of them knows to be done.
+/// - no single task is flown by two, and none that one of them knows to be done, nor one
+///   that comes after a task which is not over.
+///
+/// With sequences a member may wait for a task that another one flies before.
 ///
 /// In an auction nobody leads. Without its station a group with a fixed master has nobody
 /// to lead it, and where the operator approves what is flown it may have nothing to fly.
 class TeamModel {
  public:
-  TeamModel(TeamWorld& world, const TeamConfig& config)
-      : world_(world), structure_(config.structure), approval_(config.approval) {}
+  TeamModel(TeamWorld& world, const TeamConfig& config, TaskSharing sharing)
+      : world_(world),
+        structure_(config.structure),
+        approval_(config.approval),
+        may_wait_(sharing == TaskSharing::kSequences) {}
 
   /// Looks at all groups; from now on their members have been told what any of them was.
   /// @returns  what is wrong.
@@ -128,6 +134,9 @@ class TeamModel {
       const auto task = world_.flown_by(id);
       if (!task) continue;
       if (!world_.is_able(id)) say(id, "is not able, but has a task");
+      for (const std::uint32_t before : world_.wanted.at(*task).after)
+        if (!world_.done.contains(before))
+          say(id, "flies " + std::to_string(*task) + " before " + std::to_string(before));
       const auto [other, is_first] = flown.try_emplace(*task, id);
       if (!is_first && !world_.wanted.at(*task).group)
         say(id, "and " + text(other->second) + " fly task " + std::to_string(*task));
@@ -171,8 +180,16 @@ class TeamModel {
     return found != known.end() && found->second.branch == status(leader).mission->branch;
   }
 
+  // What it comes after is over, as an entity has heard.
+  bool is_ready(std::uint32_t task, const TeamWorld::Informed& known) const {
+    return std::ranges::all_of(
+        world_.wanted.at(task).after,
+        [&](std::uint32_t before) { return known.done.contains(before); });
+  }
+
   void look_at_idle(EntityId leader, const Members& team, const Members& group,
                     bool is_only_team) {
+    if (may_wait_) return;
     std::set<std::uint32_t> flown;
     for (const EntityId id : group)
       if (flies(id) && world_.flown_by(id)) flown.insert(*world_.flown_by(id));
@@ -181,14 +198,15 @@ class TeamModel {
       const auto& known = world_.informed.at(id);
       for (const std::uint32_t task : known.tasks)
         if (!world_.done.contains(task) && !flown.contains(task) &&
-            world_.can_fly(id, task) && is_theirs(leader, task, is_only_team))
+            is_ready(task, known) && world_.can_fly(id, task) &&
+            is_theirs(leader, task, is_only_team))
           say(id, "has no task while " + std::to_string(task) + " is free");
     }
   }
 
   TeamWorld& world_;
   TeamStructure structure_;
-  bool approval_;
+  bool approval_, may_wait_;
   std::size_t next_event_ = 0;
   std::vector<std::string> wrong_;
 };

@@ -23,11 +23,12 @@ TeamConfig config_of(TeamStructure structure) {
 }
 
 // Seeds from 1 on, until the first that goes wrong.
-void play(const TeamConfig& config, std::uint64_t seeds, std::uint64_t min_events) {
+void play(const TeamConfig& config, std::uint64_t seeds, std::uint64_t min_events,
+          TaskSharing sharing = TaskSharing::kCoalitions) {
   std::uint64_t events = 0;
   std::size_t done = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    RandomTeam team(seed, config);
+    RandomTeam team(seed, config, sharing);
     for (int chapter = 1; chapter <= kChapters; ++chapter)
       ASSERT_EQ(team.play_chapter(), "")
           << "seed " << seed << ", chapter " << chapter << ", " << team.now() << " s\n"
@@ -47,6 +48,10 @@ TEST(TeamModel, EachHasATaskThatTheOperatorApproves) {
   TeamConfig config = config_of(TeamStructure::kMaster);
   config.approval = true;
   play(config, 50, 200'000);
+}
+
+TEST(TeamModel, NobodyFliesATaskTwiceInSequences) {
+  play(config_of(TeamStructure::kMaster), 20, 80'000, TaskSharing::kSequences);
 }
 
 TEST(TeamModel, EachHasATaskInAnAuction) {

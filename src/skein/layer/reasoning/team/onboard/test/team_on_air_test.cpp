@@ -206,5 +206,116 @@ TEST(TeamOnAir, TasksThatReachedNobodyAreThereWhenTheStationLeadsAgain) {
   EXPECT_EQ(newcomer.member().knowledge().tasks.size(), 3u) << team.story();
 }
 
+WantedTask after(const Vec2& place, std::vector<std::uint32_t> before) {
+  return {Measure{place, 30}, 0, false, std::move(before)};
+}
+
+std::string obey(AirTeam& team, const TeamTaskCommand& command) {
+  AgentOutput out;
+  const std::string why =
+      team.desk->obey(command, command.what, out, Time::from_seconds(team.now));
+  team.events.insert(team.events.end(), out.events.begin(), out.events.end());
+  return why;
+}
+
+TEST(TeamOnAir, WhatComesAfterOthersIsFlownWhenTheyAreDone) {
+  AirTeam team = three(TeamStructure::kMaster, 0.2);
+  team.desk->hand_in("M", std::vector{after({0, 500}, {}), after({300, 500}, {1})},
+                     Time());
+  team.run(30);
+  EXPECT_EQ(team.flown(), (std::multiset<std::uint32_t>{1})) << team.story();
+  team.run(40);
+  EXPECT_EQ(team.executed, (std::map<std::uint32_t, int>{{1, 1}})) << team.story();
+  EXPECT_EQ(team.flown(), (std::multiset<std::uint32_t>{2})) << team.story();
+  team.run(60);
+  EXPECT_EQ(team.executed, (std::map<std::uint32_t, int>{{1, 1}, {2, 1}}));
+  using States = std::vector<std::string>;
+  EXPECT_EQ(team.states.at(1), (States{"open", "flown", "done"}));
+  EXPECT_EQ(team.states.at(2), (States{"waits", "open", "flown", "done"}));
+}
+
+TEST(TeamOnAir, WhatTheOperatorWithdrawsIsNotFlownAnyMore) {
+  for (const auto structure : {TeamStructure::kMaster, TeamStructure::kFixedMaster,
+                               TeamStructure::kAuction}) {
+    AirTeam team = three(structure, 0.2);
+    const auto numbers = team.desk->hand_in("M", measurements(2), Time());
+    team.task_time = 1e6;
+    team.run(60);
+    ASSERT_EQ(team.flown(), (std::multiset<std::uint32_t>{1, 2})) << team.story();
+    EXPECT_EQ(obey(team, {TeamTaskAction::kWithdraw, 1}), "");
+    EXPECT_EQ(team.count("team-task-withdrawn"), 1);
+    EXPECT_TRUE(team.desk->is_done(numbers.front()));
+    team.run(20);
+    EXPECT_EQ(team.flown(), std::multiset<std::uint32_t>{2}) << team.story();
+    EXPECT_NE(obey(team, {TeamTaskAction::kWithdraw, 1}), "") << "it is over";
+    EXPECT_NE(obey(team, {TeamTaskAction::kWithdraw, 7}), "") << "there is none";
+  }
+}
+
+TEST(TeamOnAir, WhatIsWithdrawnOutOfReachIsSaidWhenTheTeamIsBack) {
+  AirTeam team = three(TeamStructure::kMaster, 0.1);
+  team.desk->hand_in("M", measurements(2), Time());
+  team.task_time = 1e6;
+  team.run(60);
+  team.station_hears = false;
+  team.run(40);
+  EXPECT_EQ(obey(team, {TeamTaskAction::kWithdraw, 2}), "");
+  team.run(40);
+  EXPECT_EQ(team.flown(), (std::multiset<std::uint32_t>{1, 2})) << team.story();
+  team.station_hears = true;
+  team.run(60);
+  EXPECT_EQ(team.flown(), std::multiset<std::uint32_t>{1}) << team.story();
+}
+
+TEST(TeamOnAir, WhatIsChangedIsFlownInsteadAndWhatWaitsForItWaits) {
+  AirTeam team = three(TeamStructure::kMaster, 0.2);
+  const auto numbers = team.desk->hand_in(
+      "M", std::vector{after({0, 500}, {}), after({300, 500}, {1}), after({0, 0}, {2})},
+      Time());
+  team.task_time = 60;
+  team.run(40);
+  ASSERT_EQ(team.flown(), (std::multiset<std::uint32_t>{1})) << team.story();
+  EXPECT_EQ(obey(team, {TeamTaskAction::kChange, 1, Measure{{600, 600}, 30}}), "");
+  EXPECT_EQ(team.count("team-task-added"), 3) << "itself, and what waits for it";
+  team.run(20);
+  // Numbers 4, 5 and 6 are in the places of 1, 2 and 3.
+  EXPECT_EQ(team.flown(), (std::multiset<std::uint32_t>{4})) << team.story();
+  EXPECT_FALSE(team.desk->is_done(numbers.front()));
+  team.run(300);
+  EXPECT_EQ(team.executed, (std::map<std::uint32_t, int>{{4, 1}, {5, 1}, {6, 1}}))
+      << team.story();
+  for (const std::uint32_t number : numbers) EXPECT_TRUE(team.desk->is_done(number));
+}
+
+TEST(TeamOnAir, ATaskIsAddedByCommand) {
+  AirTeam team = three(TeamStructure::kMaster, 0.2);
+  team.desk->hand_in("M", measurements(1), Time());
+  team.task_time = 1e6;
+  team.run(60);
+  EXPECT_NE(obey(team, {TeamTaskAction::kAdd, 0, Measure{{0, 0}, 9}, {}, {5}}), "");
+  EXPECT_EQ(obey(team, {TeamTaskAction::kAdd, 0, Measure{{0, 0}, 9}}), "");
+  // Before the leader has it: it is withdrawn again, and never flown.
+  EXPECT_EQ(obey(team, {TeamTaskAction::kAdd, 0, Measure{{0, 0}, 9}}), "");
+  EXPECT_EQ(obey(team, {TeamTaskAction::kWithdraw, 3}), "");
+  team.run(30);
+  EXPECT_EQ(team.flown(), (std::multiset<std::uint32_t>{1, 2})) << team.story();
+}
+
+TEST(TeamOnAir, SequencesAreFlownInTheirOrderWithoutWaitingForOrders) {
+  AirTeam team(TeamStructure::kMaster);
+  team.sharing = TaskSharing::kSequences;
+  team.loss = 0.3;
+  team.restart();
+  team.add(1, {0, 100});
+  team.add(2, {3000, 100});
+  std::vector<WantedTask> tasks;
+  for (const double north : {0, 300, 600, 3000, 3300, 3600})
+    tasks.push_back(after({north, 500}, {}));
+  team.desk->hand_in("M", tasks, Time());
+  team.run(30 + 3 * 40 + 20);
+  EXPECT_EQ(team.executed.size(), 6u) << team.story();
+  for (const auto& [task, times] : team.executed) EXPECT_EQ(times, 1) << task;
+}
+
 }  // namespace
 }  // namespace skein::reasoning::team_on_air_test

@@ -43,9 +43,11 @@ class TeamWorld {
     double stay = 0;
     std::uint32_t sensors = 0;
     bool group = false;
+    std::vector<std::uint32_t> after = {};  ///< tasks that are over before
   };
 
-  TeamWorld(std::uint64_t seed, const TeamConfig& config) : air(seed), config_(config) {
+  TeamWorld(std::uint64_t seed, const TeamConfig& config, TaskSharing sharing)
+      : air(seed), sharing_(sharing), config_(config) {
     config_.seed = seed;
     start_station();
   }
@@ -68,6 +70,7 @@ class TeamWorld {
     options.config = config_;
     options.sensors = sensors;
     options.cruise = kSpeed;
+    options.sharing = sharing_;
     Aircraft& made = aircraft[id];
     made = {};
     made.team = std::make_unique<OnboardTeam>(id, options);
@@ -99,11 +102,21 @@ class TeamWorld {
     for (const auto& [id, group] : groups) air.put(id, group);
   }
   void add_task(const Wanted& task) {
-    const WantedTask said{Measure{task.place, task.stay}, task.sensors, task.group};
+    const WantedTask said{Measure{task.place, task.stay}, task.sensors, task.group,
+                          task.after};
     const auto numbers = desk_->hand_in("M", {&said, 1}, Time::from_seconds(now));
     wanted[numbers.front()] = task;
     informed[kStation].of_mission = true;
     informed[kStation].tasks.insert(numbers.front());
+  }
+
+  /// The operator does not want a task any more; needs the station.
+  void withdraw(std::uint32_t task) {
+    AgentOutput out;
+    const TeamTaskCommand command{TeamTaskAction::kWithdraw, task};
+    if (!desk_->obey(command, {}, out, last_).empty()) return;
+    done.insert(task);
+    informed[kStation].done.insert(task);
   }
 
   void step() {
@@ -147,7 +160,7 @@ class TeamWorld {
 
  private:
   void start_station() {
-    desk_ = std::make_unique<TeamDesk>(kStation, config_, true, Vec3::Zero());
+    desk_ = std::make_unique<TeamDesk>(TeamDeskOptions{kStation, config_, sharing_});
     informed[kStation] = {};
     air.put(kStation, 0);
   }
@@ -214,6 +227,7 @@ class TeamWorld {
     done.insert(*one.work.task);
   }
 
+  TaskSharing sharing_;
   TeamConfig config_;
   Time last_;  // when the station was stepped
   std::unique_ptr<TeamDesk> desk_;
