@@ -453,6 +453,8 @@ export const kTable: Table = {
       ["endurance", "f64", "_s"],
       ["sensors", "uint"],
       ["able", "flag"],
+      ["home_north", "f32", "_m"],
+      ["home_east", "f32", "_m"],
     ],
     TeamProgress: [
       ["task", "uint"],
@@ -497,6 +499,8 @@ export const kTable: Table = {
       ["sensors", "uint"],
       ["what", "u8[]"],
       ["released", "flag"],
+      ["after", "uint[]"],
+      ["withdrawn", "flag"],
     ],
     TeamAssign: [
       ["mission", "@TeamMission"],
@@ -826,6 +830,15 @@ export const kTable: Table = {
       ["altitude_agl", "f64?", "_m"],
       ["airspeed", "f64?", "_mps"],
     ],
+    ChangeTeamTask: [
+      ["action", "#Enum19"],
+      ["number", "uint"],
+      ["what", "|Choice3"],
+      ["others", "text[]"],
+      ["after", "uint[]"],
+      ["group", "flag"],
+      ["station", "text"],
+    ],
     Command: [
       ["time", "time"],
       ["sender", "text"],
@@ -837,8 +850,8 @@ export const kTable: Table = {
       ["coded", "u8[]"],
     ],
     PlannerChange: [
-      ["link", "#Enum19"],
-      ["verdict", "#Enum20"],
+      ["link", "#Enum20"],
+      ["verdict", "#Enum21"],
       ["reason", "text"],
     ],
     Planner: [
@@ -894,7 +907,7 @@ export const kTable: Table = {
     ],
     MissionChange: [
       ["mission", "text"],
-      ["state", "#Enum21"],
+      ["state", "#Enum22"],
       ["goal", "|Choice8"],
     ],
     Mission2: [
@@ -955,12 +968,12 @@ export const kTable: Table = {
       ["position", "flag"],
     ],
     LinkChange: [
-      ["change", "#Enum22"],
+      ["change", "#Enum23"],
       ["text", "text"],
     ],
     Answer: [
       ["number", "uint"],
-      ["outcome", "#Enum23"],
+      ["outcome", "#Enum24"],
       ["text", "text"],
     ],
     Text: [
@@ -975,7 +988,7 @@ export const kTable: Table = {
       ["make", "text"],
       ["airframe", "text"],
       ["hovers", "flag"],
-      ["following", "#Enum24"],
+      ["following", "#Enum25"],
     ],
     LinkHealth: [
       ["received", "uint"],
@@ -1019,7 +1032,7 @@ export const kTable: Table = {
       ["other_id", "uint"],
       ["seen", "time"],
       ["meets", "time"],
-      ["method", "#Enum25"],
+      ["method", "#Enum26"],
       ["outcome", "text"],
       ["messages", "uint"],
       ["bytes", "uint"],
@@ -1046,12 +1059,12 @@ export const kTable: Table = {
       ["team", "text"],
       ["master_id", "uint?"],
       ["members", "uint[]"],
-      ["reason", "#Enum26"],
+      ["reason", "#Enum27"],
     ],
     TrafficAlert: [
       ["track", "uint"],
       ["level", "uint"],
-      ["region", "#Enum27"],
+      ["region", "#Enum28"],
       ["bearing", "f64", "_deg", 57.29577951308232],
       ["distance", "f64", "_m"],
       ["height", "f64", "_m"],
@@ -1062,17 +1075,17 @@ export const kTable: Table = {
     TrackBand: [
       ["from", "f64", "_deg", 57.29577951308232],
       ["to", "f64", "_deg", 57.29577951308232],
-      ["region", "#Enum27"],
+      ["region", "#Enum28"],
     ],
     SpeedBand: [
       ["from", "f64", "_mps"],
       ["to", "f64", "_mps"],
-      ["region", "#Enum27"],
+      ["region", "#Enum28"],
     ],
     AltitudeBand: [
       ["from", "f64", "_m"],
       ["to", "f64", "_m"],
-      ["region", "#Enum27"],
+      ["region", "#Enum28"],
     ],
     FlightBands: [
       ["level", "uint"],
@@ -1094,7 +1107,7 @@ export const kTable: Table = {
     ],
     Recommendation: [
       ["number", "uint"],
-      ["state", "#Enum28"],
+      ["state", "#Enum29"],
       ["reason", "text"],
       ["path", "@RecommendedPoint[]"],
     ],
@@ -1138,7 +1151,7 @@ export const kTable: Table = {
     Observation: [
       ["time", "time"],
       ["", "@Observation2"],
-      ["fate", "#Enum29"],
+      ["fate", "#Enum30"],
     ],
     Conflict: [
       ["time", "time"],
@@ -1162,7 +1175,7 @@ export const kTable: Table = {
       ["traffic_id", "uint"],
       ["", "vec3", "_m", 1, "north east altitude_msl", -1],
       ["", "vec3", "_mps", 1, "velocity_north velocity_east climb", -1],
-      ["phase", "#Enum30"],
+      ["phase", "#Enum31"],
     ],
     TrafficTrack: [
       ["time", "time"],
@@ -1246,6 +1259,21 @@ export const kTable: Table = {
       ["entity_id", "uint"],
       ["", "@TaskReason2"],
     ],
+    TeamTaskReport: [
+      ["team", "text"],
+      ["number", "uint"],
+      ["what", "text"],
+      ["", "vec3", "_m", 1, "north east altitude_msl", -1],
+      ["after", "uint[]"],
+      ["several", "flag"],
+      ["state", "#Enum32"],
+      ["executor_id", "uint?"],
+    ],
+    TeamTaskChange: [
+      ["time", "time"],
+      ["entity_id", "uint"],
+      ["", "@TeamTaskReport"],
+    ],
     LiveRecord: [
       ["record", "|Choice"],
     ],
@@ -1279,18 +1307,20 @@ export const kTable: Table = {
     Enum16: ["other", "manual", "stabilized", "hold", "guided", "mission", "take-off", "return", "land"],
     Enum17: ["take-off", "waypoint", "hold", "speed", "land", "return", "jump"],
     Enum18: ["approve", "reject"],
-    Enum19: ["loiter", "task", "separation", "trajectory"],
-    Enum20: ["passed-on", "modified", "replaced"],
-    Enum21: ["begun", "paused", "resumed", "over", "changed"],
-    Enum22: ["up", "down", "rebooted", "mismatch", "duplicate"],
-    Enum23: ["accepted", "denied", "unsupported", "no answer"],
-    Enum24: ["places", "bank", "trajectory"],
-    Enum25: ["none", "rule", "priority", "negotiated", "group", "non-cooperative", "last-moment", "auto"],
-    Enum26: ["newcomer", "selected", "following", "joined", "merged", "split", "handover", "lost", "fixed", "alone", "members"],
-    Enum27: ["NONE", "FAR", "MID", "NEAR", "RECOVERY"],
-    Enum28: ["shown", "followed", "ignored", "over"],
-    Enum29: ["remembered", "late", "refused", "expired", "not-found"],
-    Enum30: ["absent", "flies", "gap", "jumped"],
+    Enum19: ["add", "withdraw", "change"],
+    Enum20: ["loiter", "task", "separation", "trajectory"],
+    Enum21: ["passed-on", "modified", "replaced"],
+    Enum22: ["begun", "paused", "resumed", "over", "changed"],
+    Enum23: ["up", "down", "rebooted", "mismatch", "duplicate"],
+    Enum24: ["accepted", "denied", "unsupported", "no answer"],
+    Enum25: ["places", "bank", "trajectory"],
+    Enum26: ["none", "rule", "priority", "negotiated", "group", "non-cooperative", "last-moment", "auto"],
+    Enum27: ["newcomer", "selected", "following", "joined", "merged", "split", "handover", "lost", "fixed", "alone", "members"],
+    Enum28: ["NONE", "FAR", "MID", "NEAR", "RECOVERY"],
+    Enum29: ["shown", "followed", "ignored", "over"],
+    Enum30: ["remembered", "late", "refused", "expired", "not-found"],
+    Enum31: ["absent", "flies", "gap", "jumped"],
+    Enum32: ["waits", "open", "flown", "done", "withdrawn"],
   },
   choices: {
     Choice3: [
@@ -1394,6 +1424,7 @@ export const kTable: Table = {
       ["vehicle", "@Vehicle"],
       ["allocation", "@Allocation"],
       ["change_flight", "@ChangeFlight"],
+      ["change_team_task", "@ChangeTeamTask"],
     ],
     Choice8: [
       ["open", "@Open"],
@@ -1475,6 +1506,7 @@ export const kTable: Table = {
       ["radio_link", "@RadioLink"],
       ["flight_path", "@FlightPath"],
       ["task_reason", "@TaskReason"],
+      ["team_task_change", "@TeamTaskChange"],
     ],
     LiveItem: [
       ["run_clock", "@RunClock"],

@@ -517,6 +517,8 @@ export interface TeamInform {
   resources_endurance_s: number | null; // what is left
   resources_sensors: number; // a bit for each kind
   resources_able: boolean; // it flies tasks
+  resources_home_north_m: number; // where it flies in the end
+  resources_home_east_m: number; // likewise
   tasks: TeamProgress[]; // that it executes
 }
 
@@ -530,6 +532,8 @@ export interface TeamPropose {
   resources_endurance_s: number | null; // what is left
   resources_sensors: number; // a bit for each kind
   resources_able: boolean; // it flies tasks
+  resources_home_north_m: number; // where it flies in the end
+  resources_home_east_m: number; // likewise
 }
 
 /** A master would take a newcomer. */
@@ -568,6 +572,8 @@ export interface TeamTask {
   sensors: number; // a bit for each kind that it takes
   what: number[]; // the task, coded
   released: boolean; // the operator has approved it
+  after: number[]; // tasks that are over before it is flown
+  withdrawn: boolean; // the operator wants it no more
 }
 
 /** A master's order: these tasks and no others. */
@@ -1111,11 +1117,22 @@ export interface ChangeFlight {
   airspeed_mps: number | null; // at cruise; null: as before
 }
 
+/** A task of a team that leads itself is added, withdrawn or changed. */
+export interface ChangeTeamTask {
+  action: "add" | "withdraw" | "change"; // what becomes of it
+  number: number; // which is withdrawn or changed
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what to do
+  others: string[]; // names of those it is about; empty: it has their numbers
+  after: number[]; // numbers of tasks that are over before one that is added
+  group: boolean; // several may fly one that is added
+  station: string; // whose team; empty: of all
+}
+
 /** A command that somebody gave. */
 export interface CommandRecord {
   time_s: number; // it counts from this step on
   sender: string; // who gave it
-  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove) | ({ kind: "change_task" } & ChangeTask) | ({ kind: "vehicle" } & Vehicle) | ({ kind: "allocation" } & Allocation) | ({ kind: "change_flight" } & ChangeFlight)
+  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove) | ({ kind: "change_task" } & ChangeTask) | ({ kind: "vehicle" } & Vehicle) | ({ kind: "allocation" } & Allocation) | ({ kind: "change_flight" } & ChangeFlight) | ({ kind: "change_team_task" } & ChangeTeamTask)
 }
 
 /** A value that a plugin has recorded. */
@@ -1536,6 +1553,22 @@ export interface TaskReason {
   entity_id: number; // who has given it
   aircraft_id: number; // who was given it
   terms: NamedValue[]; // that have decided
+}
+
+/** How far a task of a team is: said when that changes. */
+export interface TeamTaskChange {
+  time_s: number; // when
+  entity_id: number; // which station has heard so
+  team: string; // its mission
+  number: number; // among the mission's, from 1
+  what: string; // its kind
+  north_m: number | null; // its centre
+  east_m: number | null; // its centre
+  altitude_msl_m: number | null; // its centre
+  after: number[]; // tasks that are over before it is flown
+  several: boolean; // several may fly it at once
+  state: "waits" | "open" | "flown" | "done" | "withdrawn"; // how far it is
+  executor_id: number | null; // who flies it; null: nobody
 }
 
 /** How far a run is, and how its clock goes. */

@@ -1,6 +1,8 @@
 #include "skein/layer/reasoning/team/allocation/sequence_annealing.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "skein/base/math.h"
 #include "skein/layer/reasoning/team/allocation/search_random.h"
@@ -13,6 +15,7 @@ constexpr double kMeanWeight = 0.02;                   // of the mean end beside
 constexpr double kLatePrice = 50;                      // of a second too late, in seconds
 constexpr std::size_t kMaxPart = 3;
 constexpr double kMinGain = 1e-9;
+constexpr double kNever = 1e15;  // cost of tasks that wait for each other without end
 
 // What one route costs when no other matters.
 struct RouteCost {
@@ -38,12 +41,13 @@ class SequenceSearch {
             fade_.push_back(fade(table.service[from] + table.leg(a, from, to)));
     windows_ = table.has_windows();
     begin_greedily();
+    if (coupled_ && schedule_of(table_, routes_).late == math::kInfinity) begin_in_order();
   }
 
   std::int64_t run(const Effort& effort, std::int64_t moves) {
     double cost = cost_now();
     keep(cost);
-    const double scale = std::max(1e-9, std::abs(cost));
+    const double scale = std::max(1e-9, std::abs(cost < kNever ? cost : cost_apart()));
     double temperature = 0;
     std::int64_t k = 0;
     for (; k < moves && table_.tasks > 0; ++k) {
@@ -115,7 +119,7 @@ class SequenceSearch {
     double last = 0, total = 0, value = 0, late = 0;
     if (coupled_) {
       const SequenceSchedule schedule = schedule_of(table_, routes_);
-      if (schedule.late == math::kInfinity) return 1e15;
+      if (schedule.late == math::kInfinity) return kNever;
       for (const double end : schedule.end) {
         last = std::max(last, end);
         total += end;
@@ -124,6 +128,12 @@ class SequenceSearch {
         value = -cost_of(table_, schedule);
       return joint_cost(last, total, value, schedule.late);
     }
+    return cost_apart();
+  }
+
+  // As if no relations tied the routes.
+  double cost_apart() const {
+    double last = 0, total = 0, value = 0, late = 0;
     for (const RouteCost& cost : costs_) {
       last = std::max(last, cost.end);
       total += cost.end;
@@ -155,14 +165,7 @@ class SequenceSearch {
         for (std::size_t k = 0; k <= routes_[a].size(); ++k) {
           routes_[a].insert(routes_[a].begin() + static_cast<std::ptrdiff_t>(k), t);
           costs_[a] = cost_of_route(a);
-          double last = 0, total = 0, value = 0, late = 0;
-          for (const RouteCost& cost : costs_) {
-            last = std::max(last, cost.end);
-            total += cost.end;
-            value += cost.value;
-            late += cost.late;
-          }
-          const double cost = joint_cost(last, total, value, late);
+          const double cost = cost_apart();
           if (cost < least) {
             least = cost;
             where = a;
@@ -175,6 +178,55 @@ class SequenceSearch {
       routes_[where].insert(routes_[where].begin() + static_cast<std::ptrdiff_t>(at), t);
       costs_[where] = cost_of_route(where);
     }
+  }
+
+  // Each task behind all that it comes after, at the end of the route that ends first
+  // with it: so no two wait for each other without end.
+  void begin_in_order() {
+    for (std::size_t a = 0; a < table_.aircraft; ++a) {
+      routes_[a].clear();
+      costs_[a] = {};
+    }
+    std::vector<std::size_t> waits(table_.tasks, 0);
+    for (const auto& p : table_.precedences) ++waits[p.after];
+    std::vector<bool> placed(table_.tasks, false);
+    const auto is_free = [&](std::size_t t) {
+      for (std::size_t s = 0; s < table_.tasks; ++s)
+        if (table_.together[s] == table_.together[t] && waits[s] > 0) return false;
+      return !placed[t];
+    };
+    for (std::size_t next = 0; next < table_.tasks; ++next) {
+      if (!is_free(next)) continue;
+      std::vector<bool> taken(table_.aircraft, false);  // by one that begins with it
+      for (std::size_t t = 0; t < table_.tasks; ++t) {
+        if (table_.together[t] != table_.together[next]) continue;
+        append(t, taken);
+        placed[t] = true;
+        for (const auto& p : table_.precedences)
+          if (p.before == t) --waits[p.after];
+      }
+      next = std::numeric_limits<std::size_t>::max();  // the first that is free now
+    }
+    std::vector<bool> taken(table_.aircraft, false);
+    for (std::size_t t = 0; t < table_.tasks; ++t)
+      if (!placed[t]) append(t, taken);  // relations that nothing can keep
+  }
+
+  void append(std::size_t t, std::vector<bool>& taken) {
+    std::optional<std::size_t> best;
+    double least = math::kInfinity;
+    for (std::size_t a = 0; a < table_.aircraft; ++a) {
+      if (!table_.may(a, t) || (best && taken[a] && !taken[*best])) continue;
+      const double end = costs_[a].end + (routes_[a].empty()
+                                              ? table_.start_of(a, t)
+                                              : table_.leg(a, routes_[a].back(), t));
+      if (best && taken[a] == taken[*best] && end >= least) continue;
+      best = a;
+      least = end;
+    }
+    routes_[*best].push_back(t);
+    costs_[*best] = cost_of_route(*best);
+    taken[*best] = true;
   }
 
   // Changes one or two routes; false when there was nothing to change.

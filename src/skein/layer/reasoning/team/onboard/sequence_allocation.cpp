@@ -17,6 +17,7 @@ using allocation::SequenceRoutes;
 using allocation::SequenceTask;
 
 constexpr std::int64_t kMoves = 300'000;  // of a search among many tasks
+constexpr std::int64_t kTiedMoves = 10'000'000;  // over their number: where they are tied
 constexpr std::size_t kFewTasks = 14;     // that are always looked at anew
 constexpr std::size_t kFewTied = 8;       // the same, with relations
 constexpr double kFar = 1e7;              // what cannot be flown to [s]
@@ -261,6 +262,12 @@ bool are_few(const SequenceProblem& problem) {
   return problem.tasks.size() <= (problem.relations.empty() ? kFewTasks : kFewTied);
 }
 
+// A move costs a look at all tasks where some are tied to others.
+std::int64_t moves_of(const SequenceProblem& problem) {
+  if (problem.relations.empty()) return kMoves;
+  return std::min(kMoves, kTiedMoves / static_cast<std::int64_t>(problem.tasks.size()));
+}
+
 // What can be flown of a plan now: what waits only for tasks that the same aircraft flies
 // before it can.
 TeamAllocation given_of(const TeamAllocation& plan, std::span<const TeamTask> tasks) {
@@ -303,7 +310,7 @@ SequenceAllocation::Plan SequenceAllocation::plan(std::span<const TeamTask> open
       quality = *present;
     }
     if (!present || are_few(sharing.problem)) {
-      auto found = best_sequences(sharing.problem, {.iterations = kMoves});
+      auto found = best_sequences(sharing.problem, {.iterations = moves_of(sharing.problem)});
       // Utilities are negative times.
       const bool is_better =
           found && found.value().feasible &&

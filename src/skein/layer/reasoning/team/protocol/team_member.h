@@ -80,7 +80,7 @@ class TeamMember {
   bool withdraw_task(std::uint32_t task);
   /// Tasks that are known here, those among them that the leader has not heard of yet.
   std::map<std::uint32_t, TeamTask> all_tasks() const;
-  /// Who flies which task now, as others have said; of several the lowest id.
+  /// Who flies which task, as others have said last; of several who has said so last.
   std::map<std::uint32_t, EntityId> executors() const;
 
   void set_resources(const TeamResources& resources) { resources_ = resources; }

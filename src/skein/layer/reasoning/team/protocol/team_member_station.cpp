@@ -27,12 +27,16 @@ std::map<std::uint32_t, TeamTask> TeamMember::all_tasks() const {
 }
 
 std::map<std::uint32_t, EntityId> TeamMember::executors() const {
+  constexpr double kForgotten = 10;  // T_lost: a station may be out of reach for a while
   std::map<std::uint32_t, EntityId> all;
   for (const auto& [id, contact] : contacts_.all()) {
-    if (now_ - contact.informed > lost_) continue;
+    if (now_ - contact.informed > kForgotten * lost_) continue;
     const auto flown = std::ranges::find_if(
         contact.inform.tasks, [](const TeamProgress& task) { return task.share < 1; });
-    if (flown != contact.inform.tasks.end()) all.try_emplace(flown->task, id);
+    if (flown == contact.inform.tasks.end()) continue;
+    const auto [known, is_first] = all.try_emplace(flown->task, id);
+    if (!is_first && contact.informed > contacts_.find(known->second)->informed)
+      known->second = id;
   }
   return all;
 }

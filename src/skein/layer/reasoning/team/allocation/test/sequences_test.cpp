@@ -210,6 +210,28 @@ TEST(Sequences, KeepRelationsBetweenManyTasks) {
   EXPECT_EQ(again.value().routes, answer.value().routes);
 }
 
+// Relations that an answer keeps anyhow cost nothing: the search must find as good a one,
+// though its first routes wait for each other without end.
+TEST(Sequences, FindWithRelationsWhatTheyDoWithout) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SequenceProblem problem =
+        random_sequences(seed, 4, 30, SequenceObjective::kLastEnd);
+    const auto free = best_sequences(problem, {.iterations = 300'000});
+    ASSERT_TRUE(free.ok());
+    const auto& begin = free.value().begin;
+    SearchRandom random(seed, 12);
+    while (problem.relations.size() < 15) {
+      const std::size_t s = random.below(30), t = random.below(30);
+      if (begin[s] + problem.tasks[s].service <= begin[t])
+        problem.relations.push_back({Kind::kBefore, s, t, 0});
+    }
+    const auto tied = best_sequences(problem, {.iterations = 300'000});
+    ASSERT_TRUE(tied.ok());
+    EXPECT_TRUE(tied.value().feasible) << seed;
+    EXPECT_LT(tied.value().quality.value, 1.12 * free.value().quality.value) << seed;
+  }
+}
+
 TEST(Sequences, EndWhenTimeIsUp) {
   const auto problem = random_sequences(5, 5, 60, SequenceObjective::kTotal);
   Effort effort;
