@@ -172,14 +172,14 @@ Result<Command> allocation(Words given) {
 // "3,4": numbers of tasks.
 std::optional<std::vector<std::uint32_t>> task_numbers(std::string_view word) {
   std::vector<std::uint32_t> numbers;
-  while (!word.empty()) {
-    const std::size_t comma = std::min(word.find(','), word.size());
+  for (;;) {
+    const std::size_t comma = word.find(',');
     const auto number = count(word.substr(0, comma));
     if (!number) return std::nullopt;
     numbers.push_back(static_cast<std::uint32_t>(*number));
-    word.remove_prefix(std::min(comma + 1, word.size()));
+    if (comma == std::string_view::npos) return numbers;
+    word.remove_prefix(comma + 1);
   }
-  return numbers;
 }
 
 std::string team_task_error(const TeamTaskCommand& command) {
@@ -187,6 +187,11 @@ std::string team_task_error(const TeamTaskCommand& command) {
     return "tasks are numbered from 1.";
   if (command.after.size() > kMaxBefore)
     return fmt::format("a task comes after {} others at most.", kMaxBefore);
+  if (command.action != TeamTaskAction::kAdd && (!command.after.empty() || command.group))
+    return "what a task comes after, and for how many it is, is said when it is added.";
+  if (command.action != TeamTaskAction::kWithdraw &&
+      std::holds_alternative<Hold>(command.what))
+    return "what is to be done? To hold where it is, is for one aircraft.";
   // Names become numbers later.
   const bool is_open = command.action == TeamTaskAction::kWithdraw || !command.others.empty();
   return is_open ? "" : task_error(command.what);

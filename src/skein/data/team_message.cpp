@@ -3,23 +3,31 @@
 namespace skein {
 namespace {
 
+std::size_t bytes_of(const std::vector<TeamTask>& tasks, std::size_t each) {
+  std::size_t bytes = 0;
+  for (const TeamTask& task : tasks) bytes += each + 2 * task.after.size();
+  return bytes;
+}
+
 struct AirBytes {
   std::size_t operator()(const TeamQuery&) const { return 25; }
-  std::size_t operator()(const TeamInform&) const { return 70; }
-  std::size_t operator()(const TeamPropose&) const { return 70; }
+  std::size_t operator()(const TeamInform& m) const {
+    return 70 + 2 * m.resources.refused.size();
+  }
+  std::size_t operator()(const TeamPropose& m) const {
+    return 70 + 2 * m.resources.refused.size();
+  }
   std::size_t operator()(const TeamAccept&) const { return 25; }
   std::size_t operator()(const TeamReject&) const { return 13; }
   std::size_t operator()(const TeamConfirm&) const { return 17; }
   std::size_t operator()(const TeamDecline&) const { return 13; }
-  std::size_t operator()(const TeamAssign& m) const { return 21 + 48 * m.tasks.size(); }
+  std::size_t operator()(const TeamAssign& m) const { return 21 + bytes_of(m.tasks, 48); }
   std::size_t operator()(const TeamAssignAck&) const { return 17; }
   std::size_t operator()(const TeamState& m) const {
-    std::size_t bytes = 21 + 2 * m.members.size() + 8 * m.met.size();
-    for (const TeamTask& task : m.tasks) bytes += 24 + 2 * task.after.size();
-    return bytes;
+    return 21 + 2 * m.members.size() + 8 * m.met.size() + bytes_of(m.tasks, 24);
   }
   std::size_t operator()(const TeamMerge& m) const { return 25 + 2 * m.members.size(); }
-  std::size_t operator()(const TeamSplit& m) const { return 25 + 24 * m.tasks.size(); }
+  std::size_t operator()(const TeamSplit& m) const { return 25 + bytes_of(m.tasks, 24); }
   std::size_t operator()(const TeamBids& m) const { return 17 + 10 * m.bids.size(); }
   std::size_t operator()(const TeamProposal& m) const { return 24 + 4 * m.shares.size(); }
   std::size_t operator()(const TeamDecision&) const { return 14; }

@@ -21,6 +21,11 @@ TEST(TeamMessage, HasTheBytesOfTheTable) {
   EXPECT_EQ(air_bytes(assign), 21u);
   assign.tasks.resize(3);
   EXPECT_EQ(air_bytes(assign), 21u + 3 * 48);
+  assign.tasks.back().after = {1};
+  EXPECT_EQ(air_bytes(assign), 21u + 3 * 48 + 2);
+  TeamInform inform;
+  inform.resources.refused = {4, 5};
+  EXPECT_EQ(air_bytes(inform), 74u);
   TeamState state;
   state.tasks.resize(2);
   state.tasks.front().after = {1, 3};

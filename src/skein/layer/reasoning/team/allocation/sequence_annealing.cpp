@@ -116,8 +116,8 @@ class SequenceSearch {
   }
 
   double cost_now() const {
-    double last = 0, total = 0, value = 0, late = 0;
     if (coupled_) {
+      double last = 0, total = 0, value = 0;
       const SequenceSchedule schedule = schedule_of(table_, routes_);
       if (schedule.late == math::kInfinity) return kNever;
       for (const double end : schedule.end) {

@@ -26,7 +26,7 @@ constexpr double kHour = 3600;      // [s]
 double satisfaction_of_one(const TeamTask& task, const TaskNeeds& needs,
                            const TeamResources& resources,
                            const FlightConditions& conditions) {
-  if ((task.sensors & ~resources.sensors) != 0) return 0;
+  if (!may_be_given(task, resources)) return 0;
   const auto approach = time_to_begin(needs, resources, conditions);
   const auto within = time_within(needs, resources, conditions);
   const auto home = time_home(needs, resources, conditions);

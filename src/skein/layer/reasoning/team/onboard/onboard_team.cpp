@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -12,6 +13,7 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kUnable = 60;        // after a task that it cannot fly [s]
+constexpr double kMaxRefused = 3600;  // the longest [s]
 constexpr double kEndurance = 86400;  // while nothing is known of it [s]
 constexpr double kNotDone = 0.999;    // of a task, at most, until it is done
 constexpr double kLearnAgain = 1;     // of wind and zones, after [s]
@@ -42,12 +44,20 @@ void OnboardTeam::step(const AgentInput& in, const TeamWork& work, AgentOutput& 
 
 void OnboardTeam::note(const TeamWork& work, Time now) {
   if (!work.task) return;
-  if (work.state == TaskState::kImpossible || work.state == TaskState::kNone)
-    unable_until_ = now + Time::from_seconds(kUnable);
+  if (work.state == TaskState::kImpossible) refuse(*work.task, now);
+  if (work.state == TaskState::kNone) unable_until_ = now + Time::from_seconds(kUnable);
   const bool done = work.state == TaskState::kDone;
   if (done) flown_.insert(*work.task);
   link_.member().set_progress(*work.task,
                               done ? 1 : std::clamp(work.share, 0.0, kNotDone));
+}
+
+void OnboardTeam::refuse(std::uint32_t task, Time now) {
+  Refusal& refusal = refusals_[task];
+  if (refusal.times > 0 && now < refusal.until) return;
+  const double longer = std::min(kMaxRefused, kUnable * std::exp2(refusal.times));
+  refusal.until = now + Time::from_seconds(longer);
+  ++refusal.times;
 }
 
 void OnboardTeam::learn(const AgentInput& in, const TeamWork& work) {
@@ -67,15 +77,31 @@ void OnboardTeam::say_resources(const AgentInput& in, const TeamWork& work) {
   resources_.endurance =
       std::clamp(in.autopilot.endurance.value_or(kEndurance), 0.0, kEndurance);
   resources_.able = in.nav != nullptr && work.free && in.now >= unable_until_;
+  resources_.refused.clear();
+  for (const auto& [task, refusal] : refusals_)
+    if (in.now < refusal.until) resources_.refused.push_back(task);
   link_.member().set_resources(resources_);
   link_.member().leave(work.leaves);
 }
 
+bool OnboardTeam::may_begin(std::uint32_t task) const {
+  const auto& refused = resources_.refused;
+  if (flown_.contains(task) || std::ranges::find(refused, task) != refused.end())
+    return false;
+  const auto& known = link_.member().knowledge().tasks;
+  const auto found = known.find(task);
+  return found == known.end() ||
+         std::ranges::all_of(found->second.after, [&](std::uint32_t before) {
+           const auto other = known.find(before);
+           return flown_.contains(before) || (other != known.end() && other->second.done);
+         });
+}
+
 void OnboardTeam::take_task(Time now, AgentOutput& out) {
   const auto& executed = link_.member().tasks();
-  // Who leads may not know yet what is done: what comes next is flown at once.
+  // Who leads may not know yet what is done or refused: what comes next is flown at once.
   const auto next = std::ranges::find_if(
-      executed, [this](std::uint32_t number) { return !flown_.contains(number); });
+      executed, [this](std::uint32_t number) { return may_begin(number); });
   if (next == executed.end()) {
     if (task_) out.events.push_back({now, self_, "team-task-over", text_of(*task_)});
     task_.reset();

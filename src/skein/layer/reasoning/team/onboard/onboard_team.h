@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -31,8 +32,9 @@ struct TeamWork {
 /// the aircraft is able to do and how far it is, and which of the team's tasks it flies:
 /// of several one after the other. As a master it shares the tasks out.
 ///
-/// Who finds that it cannot fly what it was given, or has it cancelled by the operator,
-/// is not able for a minute, so that another one gets it. Events: those of TeamLink, and
+/// Who finds that it cannot fly what it was given says so, and is not given it for a
+/// minute, and each time for twice as long, so that another one gets it; who has it
+/// cancelled by the operator is not able for a minute. Events: those of TeamLink, and
 /// "team-task" with the number and kind of what is flown from now on, "team-task-over".
 class OnboardTeam {
  public:
@@ -51,6 +53,8 @@ class OnboardTeam {
   void say_resources(const AgentInput& in, const TeamWork& work);
   void learn(const AgentInput& in, const TeamWork& work);
   void note(const TeamWork& work, Time now);
+  void refuse(std::uint32_t task, Time now);
+  bool may_begin(std::uint32_t task) const;
   void take_task(Time now, AgentOutput& out);
 
   EntityId self_;
@@ -61,6 +65,11 @@ class OnboardTeam {
   TeamResources resources_;
   std::optional<TeamTask> task_;
   std::set<std::uint32_t> flown_;  // of the team's, that it has done
+  struct Refusal {
+    Time until;
+    int times = 0;
+  };
+  std::map<std::uint32_t, Refusal> refusals_;
   Time unable_until_;
 };
 

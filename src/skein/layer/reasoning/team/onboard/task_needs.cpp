@@ -1,5 +1,6 @@
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -134,6 +135,12 @@ TeamTask team_task(std::uint32_t number, const TaskKind& what, std::uint32_t sen
   task.what = packed(what);
   task.after = std::move(after);
   return task;
+}
+
+bool may_be_given(const TeamTask& task, const TeamResources& resources) {
+  const auto& refused = resources.refused;
+  return (task.sensors & ~resources.sensors) == 0 &&
+         std::ranges::find(refused, task.number) == refused.end();
 }
 
 std::optional<double> time_to_begin(const TaskNeeds& needs,

@@ -44,6 +44,9 @@ TaskNeeds needs_of(const TeamTask& task);
 TeamTask team_task(std::uint32_t number, const TaskKind& what, std::uint32_t sensors,
                    bool group, std::vector<std::uint32_t> after = {});
 
+/// Whether an aircraft has the sensors that a task takes, and has not refused it.
+bool may_be_given(const TeamTask& task, const TeamResources& resources);
+
 /// How long an aircraft flies to where a task begins.
 /// @returns  [s]; none: it does not get there against the wind.
 std::optional<double> time_to_begin(const TaskNeeds& needs,

@@ -25,7 +25,7 @@ TeamTaskState state_of(const TeamTask& task,
   return waits ? TeamTaskState::kWaits : TeamTaskState::kOpen;
 }
 
-std::string text_of(const TeamTask& task) {
+std::string words_of(const TeamTask& task) {
   const auto what = unpacked(task);
   std::string text =
       fmt::format("{}: {}", task.number, what ? kind_of(*what) : "nothing");
@@ -55,8 +55,9 @@ std::vector<std::uint32_t> TeamDesk::hand_in(const std::string& mission,
   std::vector<TeamTask> all;
   for (const WantedTask& wanted : tasks) {
     numbers.push_back(++last_);
-    all.push_back(
-        team_task(last_, wanted.what, wanted.sensors, wanted.group, wanted.after));
+    asked_[last_] = wanted.sensors;
+    all.push_back(team_task(last_, wanted.what, wanted.sensors, wanted.group,
+                            present(wanted.after)));
   }
   link_.member().hand_in(mission_, all, now);
   return numbers;
@@ -125,27 +126,23 @@ std::string TeamDesk::obey(const TeamTaskCommand& command, const TaskKind& what,
   for (const std::uint32_t number : command.after)
     if (!known.contains(number)) return fmt::format("there is no task {}.", number);
   if (command.action == TeamTaskAction::kAdd) {
-    add(team_task(0, what, 0, command.group, command.after), out, now);
+    add(team_task(0, what, 0, command.group, present(command.after)), out, now);
     return "";
   }
   const auto found = known.find(command.number);
   if (found == known.end()) return fmt::format("there is no task {}.", command.number);
   if (found->second.done) return fmt::format("task {} is over.", command.number);
-  if (command.action == TeamTaskAction::kWithdraw) {
+  if (command.action == TeamTaskAction::kWithdraw)
     withdraw(command.number, out, now);
-    return "";
-  }
-  TeamTask by = team_task(0, what, found->second.sensors, !found->second.single,
-                          found->second.after);
-  by.branch = found->second.branch;
-  replace(command.number, std::move(by), out, now);
+  else
+    replace(found->second, what, out, now);
   return "";
 }
 
 std::uint32_t TeamDesk::add(TeamTask task, AgentOutput& out, Time now) {
   task.number = ++last_;
   added_.push_back(last_);
-  out.events.push_back({now, self_, "team-task-added", text_of(task)});
+  out.events.push_back({now, self_, "team-task-added", words_of(task)});
   link_.member().hand_in(mission_, {&task, 1}, now);
   return last_;
 }
@@ -153,23 +150,45 @@ std::uint32_t TeamDesk::add(TeamTask task, AgentOutput& out, Time now) {
 void TeamDesk::withdraw(std::uint32_t task, AgentOutput& out, Time now) {
   const TeamTask known = link_.member().all_tasks().at(task);
   if (link_.member().withdraw_task(task))
-    out.events.push_back({now, self_, "team-task-withdrawn", text_of(known)});
+    out.events.push_back({now, self_, "team-task-withdrawn", words_of(known)});
 }
 
-// Nobody has begun what waits for it.
-void TeamDesk::replace(std::uint32_t task, TeamTask by, AgentOutput& out, Time now) {
-  const std::uint32_t number = add(std::move(by), out, now);
-  replaced_[task] = number;
-  std::vector<TeamTask> waiting;
-  for (const auto& [other, known] : link_.member().all_tasks())
-    if (!known.done && std::ranges::find(known.after, task) != known.after.end())
-      waiting.push_back(known);
-  for (TeamTask& each : waiting) {
-    std::ranges::replace(each.after, task, number);
-    each.released = false;
-    replace(each.number, each, out, now);
+// What waits for it, and what waits for that, is replaced too: what a task comes after
+// does not change. Tasks come after such with lower numbers.
+void TeamDesk::replace(const TeamTask& task, const TaskKind& what, AgentOutput& out,
+                       Time now) {
+  std::vector<std::uint32_t> old = {task.number};
+  TeamTask by = team_task(0, what, asked_[task.number], !task.single, task.after);
+  by.branch = task.branch;
+  note_replaced(task.number, add(std::move(by), out, now));
+  for (auto& [number, known] : link_.member().all_tasks()) {
+    const bool waits = std::ranges::any_of(known.after, [&](std::uint32_t before) {
+      return std::ranges::find(old, before) != old.end();
+    });
+    if (known.done || !waits) continue;
+    TeamTask again = known;
+    again.after = present(known.after);
+    again.released = false;
+    note_replaced(number, add(std::move(again), out, now));
+    old.push_back(number);
   }
-  withdraw(task, out, now);
+  for (const std::uint32_t number : old) withdraw(number, out, now);
+}
+
+void TeamDesk::note_replaced(std::uint32_t task, std::uint32_t by) {
+  replaced_[task] = by;
+  asked_[by] = asked_[task];
+}
+
+std::uint32_t TeamDesk::present(std::uint32_t task) const {
+  for (auto by = replaced_.find(task); by != replaced_.end(); by = replaced_.find(task))
+    task = by->second;
+  return task;
+}
+
+std::vector<std::uint32_t> TeamDesk::present(std::vector<std::uint32_t> tasks) const {
+  for (std::uint32_t& task : tasks) task = present(task);
+  return tasks;
 }
 
 bool TeamDesk::is_all_added_done() const {
@@ -177,10 +196,8 @@ bool TeamDesk::is_all_added_done() const {
 }
 
 bool TeamDesk::is_done(std::uint32_t task) const {
-  for (auto by = replaced_.find(task); by != replaced_.end(); by = replaced_.find(task))
-    task = by->second;
   const auto& known = link_.member().knowledge().tasks;
-  const auto found = known.find(task);
+  const auto found = known.find(present(task));
   return found != known.end() && found->second.done;
 }
 

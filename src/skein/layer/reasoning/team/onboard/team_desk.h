@@ -76,7 +76,10 @@ class TeamDesk {
   void record_tasks(AgentOutput& out);
   std::uint32_t add(TeamTask task, AgentOutput& out, Time now);
   void withdraw(std::uint32_t task, AgentOutput& out, Time now);
-  void replace(std::uint32_t task, TeamTask by, AgentOutput& out, Time now);
+  void replace(const TeamTask& task, const TaskKind& what, AgentOutput& out, Time now);
+  void note_replaced(std::uint32_t task, std::uint32_t by);
+  std::uint32_t present(std::uint32_t task) const;  // what is in its place
+  std::vector<std::uint32_t> present(std::vector<std::uint32_t> tasks) const;
 
   EntityId self_;
   FlightConditions conditions_;  // as last reported
@@ -86,6 +89,7 @@ class TeamDesk {
   std::string mission_;  // of the team: the first that was handed in
   std::uint32_t last_ = 0;
   std::map<std::uint32_t, std::uint32_t> replaced_;  // by which
+  std::map<std::uint32_t, std::uint32_t> asked_;     // sensors, besides those of its kind
   std::vector<std::uint32_t> added_;                 // by command
   std::map<std::uint32_t, TeamTaskReport> recorded_;
   std::optional<Time> looked_;  // when

@@ -15,7 +15,9 @@ void keep_tasks(std::span<const TeamTask> tasks, std::span<const TeamWorker> wor
   for (const TeamWorker& worker : workers)
     for (const std::uint32_t number : worker.tasks) {
       const auto task = std::ranges::find(tasks, number, &TeamTask::number);
-      if (task == tasks.end() || (task->single && taken.contains(number))) continue;
+      if (task == tasks.end() || refuses(worker, *task) ||
+          (task->single && taken.contains(number)))
+        continue;
       given[worker.id] = {number};
       taken.insert(number);
       break;
@@ -32,7 +34,7 @@ bool give_nearest(std::span<const TeamTask> tasks, std::span<const TeamWorker> w
   for (const TeamTask& task : tasks) {
     if (!open(task)) continue;
     for (const TeamWorker& worker : workers) {
-      if (!given[worker.id].empty()) continue;
+      if (!given[worker.id].empty() || refuses(worker, task)) continue;
       if (best_task && distance(task, worker) >= distance(*best_task, *best_worker))
         continue;
       best_task = &task;
@@ -54,11 +56,30 @@ std::set<std::uint32_t> executed(std::span<const TeamWorker> workers) {
 
 }  // namespace
 
+bool refuses(const TeamWorker& worker, const TeamTask& task) {
+  const auto& refused = worker.resources.refused;
+  return std::ranges::find(refused, task.number) != refused.end();
+}
+
 std::vector<TeamTask> ready_of(std::span<const TeamTask> tasks) {
   std::vector<TeamTask> ready;
   for (const TeamTask& task : tasks)
     if (task.after.empty()) ready.push_back(task);
   return ready;
+}
+
+std::vector<std::uint32_t> orderable(const std::vector<std::uint32_t>& given,
+                                     std::span<const TeamTask> tasks) {
+  std::vector<std::uint32_t> ordered;
+  for (const std::uint32_t number : given) {
+    const auto task = std::ranges::find(tasks, number, &TeamTask::number);
+    if (task == tasks.end()) continue;
+    const bool waits = std::ranges::any_of(task->after, [&](std::uint32_t before) {
+      return std::ranges::find(ordered, before) == ordered.end();
+    });
+    if (!waits && ordered.size() < kMaxOrdered) ordered.push_back(number);
+  }
+  return ordered;
 }
 
 TeamAllocation allocate_nearest(std::span<const TeamTask> all,

@@ -21,6 +21,9 @@ struct TeamWorker {
       {};  ///< of each that is done, from 0 to 1; none: not known
 };
 
+/// Whether a worker has said that it cannot fly a task.
+bool refuses(const TeamWorker& worker, const TeamTask& task);
+
 /// For each worker the numbers of its tasks, in the order in which it flies them.
 using TeamAllocation = std::map<EntityId, std::vector<std::uint32_t>>;
 
@@ -35,8 +38,8 @@ struct TeamAllocated {
 };
 
 /// Shares tasks among workers: every worker has an entry, no single task two workers.
-/// Of TeamTask::after there is only what is not over: what it is not empty for cannot be
-/// flown yet.
+/// Of TeamTask::after there is only what is not over. What waits may be given, but is not
+/// ordered yet (orderable()).
 using AllocateTasks =
     std::function<TeamAllocated(std::span<const TeamTask>, std::span<const TeamWorker>)>;
 
@@ -47,6 +50,12 @@ using DivideTasks = std::function<std::set<std::uint32_t>(
 
 /// Those that can be flown now.
 std::vector<TeamTask> ready_of(std::span<const TeamTask> tasks);
+
+/// What a worker is ordered of the tasks that it is given: the first kMaxOrdered that do
+/// not wait for others' tasks; it flies those behind one that waits meanwhile.
+inline constexpr std::size_t kMaxOrdered = 8;
+std::vector<std::uint32_t> orderable(const std::vector<std::uint32_t>& given,
+                                     std::span<const TeamTask> tasks);
 
 /// One task a worker: each keeps the first of its own (of two with the same the lower
 /// id), then the nearest pairs of a free worker and a task that nobody has; workers that

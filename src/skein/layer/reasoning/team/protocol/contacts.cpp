@@ -11,6 +11,7 @@ namespace skein::reasoning {
 namespace {
 
 constexpr std::size_t kMaxItems = 1000;  // of a list
+constexpr std::size_t kMaxBefore = 100;  // tasks that one comes after
 constexpr std::size_t kMaxName = 64;     // bytes
 constexpr double kMaxPlace = 1e7;        // [m]
 constexpr double kMaxNumber = 1e7;       // speeds, times, bids
@@ -32,10 +33,12 @@ bool is_sane(const std::optional<TeamMission>& mission) {
 bool is_sane(const TeamResources& resources) {
   return is_sane(resources.place) && is_sane(resources.speed) &&
          is_sane(resources.endurance) &&
-         is_sane(Vec3(resources.home_north, resources.home_east, 0));
+         is_sane(Vec3(resources.home_north, resources.home_east, 0)) &&
+         resources.refused.size() <= kMaxItems;
 }
 bool is_sane(const TeamTask& task) {
-  return is_sane(task.place) && task.after.size() <= kMaxItems;
+  return is_sane(task.place) && task.after.size() <= kMaxBefore &&
+         std::ranges::find(task.after, task.number) == task.after.end();
 }
 bool is_sane(const TeamProgress& progress) {
   return progress.share >= 0 && progress.share <= 1;

@@ -65,7 +65,8 @@ std::vector<std::uint32_t> TeamOrders::possible(EntityId member, const Line& lin
       return other.first != member && may_execute(other.second, task) &&
              !contains(other.second.aim, task);
     });
-    if (executes || !taken) tasks.push_back(task);
+    if (!executes && taken) break;  // what follows may come after it
+    tasks.push_back(task);
   }
   return tasks;
 }

@@ -24,6 +24,7 @@ bool is_same_but_for_flight(const TeamInform& a, const TeamInform& b) {
          a.resources.able == b.resources.able &&
          a.resources.sensors == b.resources.sensors &&
          a.resources.speed == b.resources.speed &&
+         a.resources.refused == b.resources.refused &&
          std::ranges::equal(a.tasks, b.tasks, same_task);
 }
 
@@ -83,6 +84,7 @@ TeamStep TeamMember::step(Time now, std::span<const TeamReceived> received) {
     next_inform_ = now_ + times().query_period * random_.uniform();
   }
   for (const TeamReceived& one : received) receive(one);
+  withdraw_handed_in();
   lost_ = time_until_lost(known_times(), contacts_.loss());
   if (config_.structure == TeamStructure::kFixedMaster && config_.fixed_master == self_ &&
       role_ == Role::kSelecting)
@@ -294,14 +296,20 @@ void TeamMember::step_alone() {
   const auto tasks = open_tasks();
   if (config_.structure == TeamStructure::kNone) {
     const TeamWorker self = own_worker();
-    if (resources_.able) set_executing(config_.allocate(tasks, {&self, 1}).given[self_]);
+    if (resources_.able)
+      set_executing(
+          orderable(config_.allocate(tasks, {&self, 1}).given[self_], tasks));
     return set_status(TeamReason::kAlone);
   }
   for (const EntityId id : auction_.bidders()) {
     const auto* contact = contacts_.find(id);
     if (!contact || now_ - contact->heard > lost_) auction_.drop(id);
   }
-  if (auction_.bid(self_, resources_, ready_of(tasks), config_.utility, config_.bundle))
+  std::vector<TeamTask> ready = ready_of(tasks);
+  std::erase_if(ready, [self = own_worker()](const TeamTask& task) {
+    return refuses(self, task);
+  });
+  if (auction_.bid(self_, resources_, ready, config_.utility, config_.bundle))
     next_inform_ = std::min(next_inform_, now_);
   set_executing(auction_.won());
   set_status(TeamReason::kAlone);

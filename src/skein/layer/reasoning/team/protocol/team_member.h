@@ -119,6 +119,7 @@ class TeamMember {
     double claimed = 0;    // when it last said that it follows
     bool certain = false;  // it has said so
     bool able = true;      // to fly tasks
+    std::vector<std::uint32_t> refused = {};  // of them
   };
   // Another master of the same mission that should give way.
   struct Rival {
@@ -271,6 +272,7 @@ class TeamMember {
 
   // team_member_station.cpp
   void send_handed_in();
+  void withdraw_handed_in();
   void inform_stations();
   bool is_team_gone() const;
   void inform_as_station(EntityId from, const TeamInform& inform);
@@ -312,6 +314,7 @@ class TeamMember {
   TeamResources resources_;
   std::map<std::uint32_t, double> progress_;
   std::map<std::uint32_t, TeamTask> handed_in_;
+  std::set<std::uint32_t> withdrawn_;  // of those, before the team was known to have them
   bool leaving_ = false;
 
   double now_ = 0;
@@ -371,6 +374,7 @@ class TeamMember {
   std::uint32_t queries_ = 0, next_part_ = 0;
   bool changed_ = false;     // tasks are to be allocated anew
   bool able_ = true;         // whether it was when they were
+  std::vector<std::uint32_t> tasks_refused_;  // by itself, when they were
   double allocated_ = 0;     // when they were
   TeamAllocation in_force_;  // what members are ordered; of all that are able
   std::optional<Proposal> proposal_;

@@ -75,7 +75,7 @@ void TeamMember::keep_in_force(std::span<const TeamTask> tasks,
     std::vector<std::uint32_t>& keeps = kept[worker.id];
     for (const std::uint32_t number : had) {
       const auto task = std::ranges::find(tasks, number, &TeamTask::number);
-      if (task == tasks.end() || !task->released) continue;
+      if (task == tasks.end() || !task->released || refuses(worker, *task)) continue;
       if (taken.insert(number).second || !task->single) keeps.push_back(number);
     }
     give(worker, keeps);
@@ -222,10 +222,11 @@ void TeamMember::put_in_force() {
 }
 
 void TeamMember::order_what_is_in_force() {
+  const auto tasks = open_tasks();
   for (const EntityId id : member_ids()) {
     const auto given = in_force_.find(id);
-    orders_.set(id,
-                given == in_force_.end() ? std::vector<std::uint32_t>{} : given->second);
+    orders_.set(id, given == in_force_.end() ? std::vector<std::uint32_t>{}
+                                             : orderable(given->second, tasks));
   }
 }
 

@@ -106,8 +106,11 @@ void TeamMember::inform_as_master(EntityId from, const TeamInform& inform) {
     measure_round_trip(from, inform);
     add_follower(from, true, "it says so");
     Follower& follower = followers_.at(from);
-    if (follower.able != inform.resources.able) changed_ = true;
+    if (follower.able != inform.resources.able ||
+        follower.refused != inform.resources.refused)
+      changed_ = true;
     follower.able = inform.resources.able;
+    follower.refused = inform.resources.refused;
     orders_.informed(from, numbers_of(inform.tasks));
     take_progress(inform);
     return;
@@ -294,8 +297,9 @@ void TeamMember::step_leading() {
   finish_own();
   if (config_.allocation_period > 0 && now_ - allocated_ >= config_.allocation_period)
     changed_ = true;
-  if (able_ != resources_.able) changed_ = true;
+  if (able_ != resources_.able || tasks_refused_ != resources_.refused) changed_ = true;
   able_ = resources_.able;
+  tasks_refused_ = resources_.refused;
   if (changed_ && !is_held_by_rival() && !asked_) allocate();
   send_proposal();
   give_orders();

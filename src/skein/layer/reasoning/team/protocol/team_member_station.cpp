@@ -16,8 +16,18 @@ bool TeamMember::withdraw_task(std::uint32_t task) {
   const bool is_unheard = own != handed_in_.end() && !knowledge_.tasks.contains(task);
   if (is_unheard ? own->second.done : !knowledge_.withdraw(task)) return false;
   if (own != handed_in_.end()) own->second.done = own->second.withdrawn = true;
+  if (is_unheard) withdrawn_.insert(task);
   changed_ = true;
   return true;
+}
+
+// What was withdrawn while it was on its way, once it has arrived.
+void TeamMember::withdraw_handed_in() {
+  std::erase_if(withdrawn_, [this](std::uint32_t task) {
+    if (!knowledge_.tasks.contains(task)) return false;
+    if (knowledge_.withdraw(task)) changed_ = true;
+    return true;
+  });
 }
 
 std::map<std::uint32_t, TeamTask> TeamMember::all_tasks() const {
@@ -27,14 +37,16 @@ std::map<std::uint32_t, TeamTask> TeamMember::all_tasks() const {
 }
 
 std::map<std::uint32_t, EntityId> TeamMember::executors() const {
-  constexpr double kForgotten = 10;  // T_lost: a station may be out of reach for a while
+  constexpr double kForgotten = 3;  // T_lost: a station may be out of reach for a while
   std::map<std::uint32_t, EntityId> all;
   for (const auto& [id, contact] : contacts_.all()) {
     if (now_ - contact.informed > kForgotten * lost_) continue;
-    const auto flown = std::ranges::find_if(
-        contact.inform.tasks, [](const TeamProgress& task) { return task.share < 1; });
-    if (flown == contact.inform.tasks.end()) continue;
-    const auto [known, is_first] = all.try_emplace(flown->task, id);
+    const auto& tasks = contact.inform.tasks;
+    if (tasks.empty()) continue;
+    const auto left = std::ranges::find_if(
+        tasks, [](const TeamProgress& task) { return task.share < 1; });
+    const auto flown = left == tasks.end() ? tasks.front().task : left->task;
+    const auto [known, is_first] = all.try_emplace(flown, id);
     if (!is_first && contact.informed > contacts_.find(known->second)->informed)
       known->second = id;
   }

@@ -29,6 +29,7 @@ struct AirTeam {
   TaskSharing sharing = TaskSharing::kCoalitions;
   double loss = 0, task_time = 40;
   bool station_hears = true;
+  std::set<std::uint32_t> impossible;    ///< tasks that nobody can fly
   std::set<std::uint32_t> out_of_reach;  ///< aircraft that the station does not hear
   std::unique_ptr<TeamDesk> desk;
   std::map<EntityId, Aircraft> aircraft;
@@ -89,7 +90,8 @@ struct AirTeam {
     const auto number = task ? std::optional(task->number) : std::nullopt;
     if (number != one.work.task) {
       one.work.task = number;
-      one.work.state = TaskState::kFlying;
+      one.work.state = number && impossible.contains(*number) ? TaskState::kImpossible
+                                                              : TaskState::kFlying;
       one.begun = now;
     }
     if (!number) return;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "skein/base/random.h"
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
 
@@ -88,36 +90,139 @@ TEST(SequenceAllocation, HundredsOfTasksAreSharedInEvenParts) {
   for (std::uint32_t id = 1; id <= 10; ++id)
     workers.push_back(worker(id, {100.0 * id, 0}));
   const TeamAllocated found = allocate(tasks, workers);
-  for (const auto& [id, own] : found.given)
-    EXPECT_EQ(own.size(), SequenceAllocation::kMaxGiven);
+  std::set<std::uint32_t> given;
+  for (const auto& [id, own] : found.given) {
+    EXPECT_GT(own.size(), 10u);
+    given.insert(own.begin(), own.end());
+    EXPECT_EQ(orderable(own, tasks).size(), kMaxOrdered);
+  }
+  EXPECT_EQ(given.size(), 200u);
   EXPECT_GE(*found.bound, *found.value);
   // 20 tasks of 10 s each at least, and some 500 m between neighbours.
   EXPECT_LT(-*found.value, 20 * (10 + 45));
 }
 
-TEST(SequenceAllocation, WhatComesAfterOthersIsGivenWhenTheyAreOverOrFlownBefore) {
+TEST(SequenceAllocation, WhatComesAfterOthersIsOrderedWhenTheyAreOverOrFlownBefore) {
   const FlightConditions conditions;
   SequenceAllocation allocate(conditions);
   std::vector<TeamTask> tasks = {measure(1, {2000, 0}), measure(2, {100, 0}),
                                  measure(3, {-500, 0})};
   tasks[1].after = {1};
   std::vector<TeamWorker> workers = {worker(1, {0, 0})};
-  EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{1}).size(), 3u);
   const Numbers alone = allocate(tasks, workers).given.at(EntityId{1});
+  EXPECT_EQ(orderable(alone, tasks).size(), 3u);
   EXPECT_LT(std::ranges::find(alone, 1u), std::ranges::find(alone, 2u));
   // Two: who has 1 is 2 km away, the other one must not begin with 2.
   workers.push_back(worker(2, {-400, 0}));
   SequenceAllocation two(conditions);
+  std::size_t given = 0;
   for (const auto& [id, own] : two(tasks, workers).given) {
-    const auto second = std::ranges::find(own, 2u);
-    if (second != own.end()) {
-      EXPECT_LT(std::ranges::find(own, 1u), second);
+    given += own.size();
+    const Numbers ordered = orderable(own, tasks);
+    const auto second = std::ranges::find(ordered, 2u);
+    if (second != ordered.end()) {
+      EXPECT_LT(std::ranges::find(ordered, 1u), second);
     }
   }
-  // Of an unknown team's task nothing is planned.
-  tasks[1].after = {9};
-  for (const auto& [id, own] : two(tasks, workers).given)
-    EXPECT_EQ(std::ranges::find(own, 2u), own.end());
+  EXPECT_EQ(given, 3u);
+  // Of an unknown team's task nothing is planned, nor of tasks that wait for each other.
+  for (const std::uint32_t before : {9U, 3U}) {
+    tasks[1].after = {before};
+    tasks[2].after = {2};
+    for (const auto& [id, own] : two(tasks, workers).given) {
+      EXPECT_EQ(std::ranges::find(own, 2u), own.end());
+      EXPECT_EQ(std::ranges::find(own, 3u), own.end());
+    }
+    std::size_t first = 0;
+    for (const auto& [id, own] : two(tasks, workers).given) first += own.size();
+    EXPECT_EQ(first, 1u) << "task 1 has nothing to do with it";
+  }
+}
+
+TEST(SequenceAllocation, WhatHasNoEndIsFlownLast) {
+  const FlightConditions conditions;
+  SequenceAllocation allocate(conditions);
+  Orbit orbit;
+  orbit.point = {200, 0};
+  std::vector<TeamTask> tasks = {team_task(1, orbit, 0, false), measure(2, {3000, 0}),
+                                 measure(3, {3000, 500})};
+  std::vector<TeamWorker> workers = {worker(1, {0, 0})};
+  const TeamAllocated found = allocate(tasks, workers);
+  ASSERT_EQ(found.given.at(EntityId{1}).size(), 3u);
+  EXPECT_EQ(found.given.at(EntityId{1}).back(), 1u);
+  EXPECT_GT(*found.value, -300) << "the time of what has no end does not count";
+  orbit.point = {-200, 0};
+  tasks.push_back(team_task(4, orbit, 0, false));
+  SequenceAllocation again(conditions);
+  EXPECT_EQ(again(tasks, workers).given.at(EntityId{1}).size(), 3u) << "one such only";
+}
+
+TEST(SequenceAllocation, OneLongTaskDoesNotSpoilTheSharingOfTheOthers) {
+  const FlightConditions conditions;
+  SequenceAllocation allocate(conditions);
+  std::vector<TeamTask> tasks = {measure(1, {0, 0}, 7200)};
+  for (std::uint32_t k = 2; k <= 9; ++k)
+    tasks.push_back(measure(k, {100.0 * k, 300}, 60));
+  std::vector<TeamWorker> workers;
+  for (std::uint32_t id = 1; id <= 5; ++id) workers.push_back(worker(id, {100.0 * id, 0}));
+  for (const auto& [id, own] : allocate(tasks, workers).given)
+    EXPECT_LE(own.size(), 2u) << id.value;
+}
+
+TEST(SequenceAllocation, WhoIsOnItsWayIsNotThereYet) {
+  const FlightConditions conditions;
+  SequenceAllocation allocate(conditions);
+  const std::vector<TeamTask> tasks = {team_task(1, FlyTo{{10000, 0}}, 0, false),
+                                       measure(2, {10000, 300}),
+                                       measure(3, {10000, -300})};
+  std::vector<TeamWorker> workers = {worker(1, {0, 0}), worker(2, {8000, 0})};
+  workers[0].tasks = {1};
+  workers[0].shares = {0.01};
+  const TeamAllocated found = allocate(tasks, workers);
+  EXPECT_NEAR(*found.value, -500, 1e-9) << "the way is 10 km, as its share is of it";
+  EXPECT_EQ(found.given.at(EntityId{2}).size(), 2u);
+}
+
+TEST(SequenceAllocation, WhoIsSlowGetsWhatItsOwnTimeAllows) {
+  const FlightConditions conditions;
+  SequenceAllocation allocate(conditions);
+  const auto line = [](std::uint32_t number, double east) {
+    FollowLine what;
+    for (int k = 0; k < 10; ++k) what.points.push_back({k % 2 == 0 ? 0 : 1000.0, east});
+    return team_task(number, what, 0, false);
+  };
+  const std::vector<TeamTask> tasks = {line(1, 0), line(2, 100)};
+  std::vector<TeamWorker> workers = {worker(1, {0, 0})};
+  workers[0].resources.speed = 10;  // 900 s for each
+  workers[0].resources.endurance = 2150;
+  EXPECT_EQ(allocate(tasks, workers).given.at(EntityId{1}).size(), 1u);
+  workers[0].resources.endurance = 2600;
+  SequenceAllocation again(conditions);
+  EXPECT_EQ(again(tasks, workers).given.at(EntityId{1}).size(), 2u);
+}
+
+TEST(SequenceAllocation, WhatOneHasRefusedAnotherGets) {
+  const FlightConditions conditions;
+  SequenceAllocation allocate(conditions);
+  const std::vector<TeamTask> tasks = {measure(1, {0, 0}), measure(2, {500, 0})};
+  std::vector<TeamWorker> workers = {worker(1, {0, 0}), worker(2, {3000, 0})};
+  workers[0].resources.refused = {1};
+  const TeamAllocation given = allocate(tasks, workers).given;
+  EXPECT_EQ(given.at(EntityId{1}), Numbers{2});
+  EXPECT_EQ(given.at(EntityId{2}), Numbers{1});
+}
+
+TEST(SequenceAllocation, WhoHasNothingLeftGetsOthersTasks) {
+  const FlightConditions conditions;
+  SequenceAllocation allocate(conditions);
+  std::vector<TeamTask> tasks;
+  for (std::uint32_t k = 1; k <= 60; ++k) tasks.push_back(measure(k, {50.0 * k, 0}));
+  std::vector<TeamWorker> workers = {worker(1, {0, 0}), worker(2, {3000, 0})};
+  const Numbers done = allocate(tasks, workers).given.at(EntityId{1});
+  std::erase_if(tasks, [&](const TeamTask& task) {
+    return std::ranges::find(done, task.number) != done.end();
+  });
+  EXPECT_GT(allocate(tasks, workers).given.at(EntityId{1}).size(), 5u);
 }
 
 TEST(SequenceAllocation, WhoHasBegunATaskEndsItFirst) {

@@ -24,7 +24,8 @@ namespace skein::reasoning {
 /// - no single task is flown by two, and none that one of them knows to be done, nor one
 ///   that comes after a task which is not over.
 ///
-/// With sequences a member may wait for a task that another one flies before.
+/// With sequences a member may have none while all that could be flown is in the orders of
+/// others, who fly it later.
 ///
 /// In an auction nobody leads. Without its station a group with a fixed master has nobody
 /// to lead it, and where the operator approves what is flown it may have nothing to fly.
@@ -189,10 +190,13 @@ class TeamModel {
 
   void look_at_idle(EntityId leader, const Members& team, const Members& group,
                     bool is_only_team) {
-    if (may_wait_) return;
     std::set<std::uint32_t> flown;
-    for (const EntityId id : group)
+    for (const EntityId id : group) {
       if (flies(id) && world_.flown_by(id)) flown.insert(*world_.flown_by(id));
+      if (!flies(id) || !may_wait_) continue;
+      const auto& ordered = world_.aircraft.at(id).team->member().tasks();
+      flown.insert(ordered.begin(), ordered.end());
+    }
     for (const EntityId id : team) {
       if (!flies(id) || world_.flown_by(id) || !world_.is_able(id)) continue;
       const auto& known = world_.informed.at(id);

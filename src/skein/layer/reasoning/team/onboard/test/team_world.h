@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -21,7 +22,7 @@ namespace skein::reasoning {
 class TeamWorld {
  public:
   static constexpr double kStep = 0.2;   // [s]
-  static constexpr double kUnable = 60;  // after a task that cannot be flown [s]
+  static constexpr double kRefused = 60;  // a task that cannot be flown, at first [s]
   static constexpr double kSpeed = 15;   // [m/s]
   static constexpr EntityId kStation{0};
 
@@ -35,7 +36,7 @@ class TeamWorld {
     NavEstimate nav;
     TeamWork work;
     std::uint32_t sensors = 0;
-    double unable_until = -1e300;
+    std::map<std::uint32_t, std::pair<double, int>> refused;  ///< until, how often
     std::uint32_t sent = 0;  // messages since begin_quiet()
   };
   struct Wanted {
@@ -132,18 +133,22 @@ class TeamWorld {
     return task ? std::optional(task->number) : std::nullopt;
   }
   bool is_able(EntityId id) const {
-    const Aircraft& one = aircraft.at(id);
-    return one.work.free && now >= one.unable_until;
+    return aircraft.at(id).work.free;
   }
-  /// Nobody has become able lately, nor soon will [s].
+  /// Nobody may be given again lately, nor soon [s], what it has refused.
   bool is_steady(double lately, double soon) const {
     return std::ranges::none_of(aircraft, [&](const auto& one) {
-      const double left = one.second.unable_until - now;
-      return left > -lately && left < soon;
+      return std::ranges::any_of(one.second.refused, [&](const auto& refused) {
+        const double left = refused.second.first - now;
+        return left > -lately && left < soon;
+      });
     });
   }
   bool can_fly(EntityId id, std::uint32_t task) const {
-    return (wanted.at(task).sensors & ~aircraft.at(id).sensors) == 0;
+    const Aircraft& one = aircraft.at(id);
+    const auto refused = one.refused.find(task);
+    return (wanted.at(task).sensors & ~one.sensors) == 0 &&
+           (refused == one.refused.end() || now >= refused->second.first);
   }
   /// T_lost and the time for which an exchange stays open, the longest of all [s].
   std::pair<double, double> timers() const {
@@ -200,17 +205,28 @@ class TeamWorld {
     one.team->step(in, one.work, out);
     one.sent += static_cast<std::uint32_t>(out.outbox.size());
     take_out(id, out, sent);
-    if (one.work.state == TaskState::kImpossible) one.unable_until = now + kUnable;
+    if (one.work.state == TaskState::kImpossible) refuse(one);
     if (!one.work.free) return;
     if (const auto task = flown_by(id); task != one.work.task) begin(id, one, task);
     if (one.work.state == TaskState::kFlying && !quiet) fly(one);
+  }
+
+  void refuse(Aircraft& one) {
+    auto& [until, times] = one.refused[*one.work.task];
+    if (times > 0 && now < until) return;
+    until = now + std::min(3600.0, kRefused * std::exp2(times++));
   }
 
   void begin(EntityId id, Aircraft& one, std::optional<std::uint32_t> task) {
     one.work.task = task;
     one.work.state = task ? TaskState::kFlying : TaskState::kNone;
     one.work.share = 0;
-    if (task && informed.at(id).done.contains(*task))
+    if (!task) return;
+    for (const std::uint32_t before : wanted.at(*task).after)
+      if (!done.contains(before))
+        faults.push_back(std::to_string(id.value) + " begins task " +
+                         std::to_string(*task) + " before " + std::to_string(before));
+    if (informed.at(id).done.contains(*task))
       faults.push_back(std::to_string(id.value) + " begins task " +
                        std::to_string(*task) + " that it knows to be done");
   }

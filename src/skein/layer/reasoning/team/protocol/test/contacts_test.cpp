@@ -70,7 +70,7 @@ TEST(TeamContacts, AShortSignRenewsTheInformItIsAbout) {
 TEST(TeamContacts, RefusesWhatNoMemberSays) {
   Heard heard;
   TeamMessage other_version = inform(1);
-  other_version.version = 2;
+  other_version.version = TeamMessage::kVersion + 1;
   EXPECT_EQ(heard.take(other_version), TeamVerdict::kOtherVersion);
   EXPECT_EQ(heard.contacts.take(kSelf, true, inform(1), 0, kLost), TeamVerdict::kOwnId);
   EXPECT_EQ(heard.take(inform(1, -1)), TeamVerdict::kImplausible);

@@ -40,6 +40,22 @@ TEST(TeamOrders, AreRepeatedUntilTheyAreAcknowledged) {
   EXPECT_TRUE(step(orders, 20).sent.empty());
 }
 
+TEST(TeamOrders, WhatStandsBehindATaskThatAnotherHasWaitsWithIt) {
+  TeamOrders orders(kMaster);
+  orders.set(kA, {7});
+  step(orders, 0);
+  orders.acknowledge(kA, 1);
+  orders.set(kA, {});
+  orders.set(kB, {5, 7, 8});
+  auto outcome = step(orders, 1);
+  ASSERT_EQ(outcome.sent.size(), 2u);
+  EXPECT_EQ(outcome.sent[1].tasks, (std::vector<std::uint32_t>{5}));
+  orders.acknowledge(kA, outcome.sent[0].number);
+  outcome = step(orders, 1.1);
+  ASSERT_EQ(outcome.sent.size(), 1u);
+  EXPECT_EQ(outcome.sent[0].tasks, (std::vector<std::uint32_t>{5, 7, 8}));
+}
+
 TEST(TeamOrders, TakeATaskFromOneBeforeTheOtherGetsIt) {
   TeamOrders orders(kMaster);
   orders.set(kA, {7});
