@@ -355,12 +355,11 @@ class Builder {
         {*build_.links, *build_.entity_links, nullptr, build_.modem.get()}, recorded_);
     const auto first = static_cast<std::uint32_t>(scenario_.stations.size());
     for (std::uint32_t k = 0; k < first; ++k)
-      teams_.push_back(
-          {EntityId{k},
-           scenario_.stations[k].name,
-           {},
-           team_desk(scenario_, k, place_of(scenario_.stations[k]), zones_,
-                     kinds_.kinds())});
+      teams_.push_back({EntityId{k},
+                        scenario_.stations[k].name,
+                        {},
+                        team_desk(scenario_, k, place_of(scenario_.stations[k]), zones_,
+                                  kinds_.kinds())});
     for (const AircraftGroup& group : scenario_.aircraft) {
       StationTeam& station = teams_[station_of(scenario_, group)];
       for (int i = 0; i < group.count; ++i) {

@@ -387,10 +387,9 @@ MadeTeam make_delegated(const DelegatedTasksChoice& choice, const MissionContext
   auto ordered = in_order(choice.tasks, std::move(tasks));
   if (!ordered) return ordered.error();
   const std::string name = choice.name.empty() ? "team" : choice.name;
-  return planned(
-      "team", choice, who.value(),
-      std::make_unique<DelegatedMission>(name, std::move(ordered).value(),
-                                         station.desk()));
+  return planned("team", choice, who.value(),
+                 std::make_unique<DelegatedMission>(name, std::move(ordered).value(),
+                                                    station.desk()));
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ namespace skein {
 /// an object now, what it forecasts, what its planners do, how its missions go, how
 /// far it is with a stored mission, a conflict that is over, what it believes of other
 /// traffic, who leads its team, what becomes of allocations and tasks, alerts and what
-/// its pilot is shown, why it has given a task, a plugin's own. The simulation adds when, who, and
-/// what was true.
+/// its pilot is shown, why it has given a task, a plugin's own. The simulation adds when,
+/// who, and what was true.
 using AgentRecord =
     std::variant<FireReading, Crossing, ZoneChange, PerimeterBelief, PluginRecord,
                  PlannerChange, ObjectBelief, MissionChange, PerimeterForecast,

@@ -245,17 +245,18 @@ struct TeamTaskCommand {
 
 constexpr auto describe(const TeamTaskCommand*) {
   using T = TeamTaskCommand;
-  return described<T>({"change_team_task"},
-                      "A task of a team that leads itself is added, withdrawn or changed.",
-                      field("action", &T::action, "what becomes of it"),
-                      field("number", &T::number, "which is withdrawn or changed"),
-                      field("what", &T::what, Storage::kJson, "what to do"),
-                      field("others", &T::others, Storage::kJson,
-                            "names of those it is about; empty: it has their numbers"),
-                      field("after", &T::after, Storage::kJson,
-                            "numbers of tasks that are over before one that is added"),
-                      field("group", &T::group, "several may fly one that is added"),
-                      field("station", &T::station, "whose team; empty: of all"));
+  return described<T>(
+      {"change_team_task"},
+      "A task of a team that leads itself is added, withdrawn or changed.",
+      field("action", &T::action, "what becomes of it"),
+      field("number", &T::number, "which is withdrawn or changed"),
+      field("what", &T::what, Storage::kJson, "what to do"),
+      field("others", &T::others, Storage::kJson,
+            "names of those it is about; empty: it has their numbers"),
+      field("after", &T::after, Storage::kJson,
+            "numbers of tasks that are over before one that is added"),
+      field("group", &T::group, "several may fly one that is added"),
+      field("station", &T::station, "whose team; empty: of all"));
 }
 
 /// New kinds go to the end: the place in this list is part of the wire form.

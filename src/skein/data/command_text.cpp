@@ -193,7 +193,8 @@ std::string team_task_error(const TeamTaskCommand& command) {
       std::holds_alternative<Hold>(command.what))
     return "what is to be done? To hold where it is, is for one aircraft.";
   // Names become numbers later.
-  const bool is_open = command.action == TeamTaskAction::kWithdraw || !command.others.empty();
+  const bool is_open =
+      command.action == TeamTaskAction::kWithdraw || !command.others.empty();
   return is_open ? "" : task_error(command.what);
 }
 
@@ -240,7 +241,8 @@ Result<Command> team(Words given) {
   if (given.empty()) return refuse("what is to be done?");
   auto text = parse_task(given[0], given.subspan(1));
   if (!text) return refuse(text.error().message);
-  if (!text.value().file.empty()) return refuse("a plan from a file is for one aircraft.");
+  if (!text.value().file.empty())
+    return refuse("a plan from a file is for one aircraft.");
   command.what = std::move(text.value().what);
   command.others = std::move(text.value().others);
   if (std::string error = team_task_error(command); !error.empty())

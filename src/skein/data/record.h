@@ -464,16 +464,14 @@ constexpr auto describe(const TeamTaskRecord*) {
 
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list
 /// is part of the wire form and of the content hash.
-using Record =
-    std::variant<EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing,
-                 MessageRecord, PerimeterRecord, Event, ZoneRecord, GroundObject,
-                 Detection, Footprint, RangeScan, CommandRecord, PluginRecord,
-                 PlannerRecord, ObjectMotion, ObjectBeliefRecord, MissionRecord,
-                 ForecastRecord, ArrivalRecord, VehicleReportRecord,
-                 MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord,
-                 AirTraffic, TrafficMotion, TrafficBeliefRecord, TeamLeadRecord,
-                 AlertRecord, BandRecord, RecommendationRecord, TeamAllocationRecord,
-                 RadioUseRecord, LinkUseRecord, FlightPathRecord, TaskReasonRecord,
-                 TeamTaskRecord>;
+using Record = std::variant<
+    EntityRecord, TruthRecord, EstimateRecord, FireReading, Crossing, MessageRecord,
+    PerimeterRecord, Event, ZoneRecord, GroundObject, Detection, Footprint, RangeScan,
+    CommandRecord, PluginRecord, PlannerRecord, ObjectMotion, ObjectBeliefRecord,
+    MissionRecord, ForecastRecord, ArrivalRecord, VehicleReportRecord,
+    MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord, AirTraffic,
+    TrafficMotion, TrafficBeliefRecord, TeamLeadRecord, AlertRecord, BandRecord,
+    RecommendationRecord, TeamAllocationRecord, RadioUseRecord, LinkUseRecord,
+    FlightPathRecord, TaskReasonRecord, TeamTaskRecord>;
 
 }  // namespace skein

@@ -77,22 +77,23 @@ struct TeamResources {
   std::uint32_t sensors = 0;  ///< a bit for each kind
   bool able = true;           ///< it flies tasks; false: a ground station, a pilot flies
   float home_north = 0, home_east = 0;  ///< where it flies in the end, N [m]
-  /// Numbers of tasks that it has found it cannot fly, and is not to be given for a while.
+  /// Numbers of tasks that it has found it cannot fly, and is not to be given for a
+  /// while.
   std::vector<std::uint32_t> refused = {};
 };
 
 constexpr auto describe(const TeamResources*) {
   using T = TeamResources;
-  return described<T>({"team_resources"}, "What a member of a team can do.",
-                      field("place", &T::place, axes::kPlace, "where it is"),
-                      field("speed", &T::speed, unit::kMetrePerSecond, "cruise"),
-                      field("endurance", &T::endurance, unit::kSecond, "what is left"),
-                      field("sensors", &T::sensors, "a bit for each kind"),
-                      field("able", &T::able, "it flies tasks"),
-                      field("home_north", &T::home_north, unit::kMetre,
-                            "where it flies in the end"),
-                      field("home_east", &T::home_east, unit::kMetre, "likewise"),
-                      field("refused", &T::refused, "tasks that it cannot fly now"));
+  return described<T>(
+      {"team_resources"}, "What a member of a team can do.",
+      field("place", &T::place, axes::kPlace, "where it is"),
+      field("speed", &T::speed, unit::kMetrePerSecond, "cruise"),
+      field("endurance", &T::endurance, unit::kSecond, "what is left"),
+      field("sensors", &T::sensors, "a bit for each kind"),
+      field("able", &T::able, "it flies tasks"),
+      field("home_north", &T::home_north, unit::kMetre, "where it flies in the end"),
+      field("home_east", &T::home_east, unit::kMetre, "likewise"),
+      field("refused", &T::refused, "tasks that it cannot fly now"));
 }
 
 /// How far a member is with a task that it executes.
@@ -474,11 +475,11 @@ constexpr auto describe(const TeamMessage*) {
 std::string_view kind_of(const TeamContent& content);
 
 /// Bytes on the air in fixed point with a header of 9 bytes, where names of missions are
-/// numbers of 2 bytes: query 25, inform and proposal 70 and 2 for each task refused, accept 25, confirm 17, reject
-/// and decline 13, assign 21 + 48 for each task, its answer 17; state 21 + 2 for each
-/// member + 8 for each meeting + 24 for each task; 2 for each that a task comes after; merge 25 + 2 for each member; split
-/// 25 + 24 for each task; bids 17 + 10 for each; proposal 24 + 4 for each share; decision
-/// 14; here 25.
+/// numbers of 2 bytes: query 25, inform and proposal 70 and 2 for each task refused,
+/// accept 25, confirm 17, reject and decline 13, assign 21 + 48 for each task, its answer
+/// 17; state 21 + 2 for each member + 8 for each meeting + 24 for each task; 2 for each
+/// that a task comes after; merge 25 + 2 for each member; split 25 + 24 for each task;
+/// bids 17 + 10 for each; proposal 24 + 4 for each share; decision 14; here 25.
 std::size_t air_bytes(const TeamContent& content);
 
 /// Why somebody leads.

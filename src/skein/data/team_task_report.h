@@ -27,10 +27,10 @@ constexpr auto names_of(const TeamTaskState*) {
 
 /// A task of a team that leads itself, as its operator's station has heard.
 struct TeamTaskReport {
-  std::string team;          ///< its mission
-  std::uint32_t number = 0;  ///< among the mission's, from 1
-  std::string what;          ///< its kind
-  Vec3 place = Vec3::Zero();  ///< its centre, N [m]; of no altitude
+  std::string team;                       ///< its mission
+  std::uint32_t number = 0;               ///< among the mission's, from 1
+  std::string what;                       ///< its kind
+  Vec3 place = Vec3::Zero();              ///< its centre, N [m]; of no altitude
   std::vector<std::uint32_t> after = {};  ///< tasks that are over before it is flown
   bool group = false;                     ///< several may fly it at once
   TeamTaskState state = TeamTaskState::kOpen;

@@ -235,15 +235,16 @@ Fields<TeamSetup> team_fields() {
               "the station, as long as they hear it"},
              {"auction", Structure::kAuction,
               "nobody: each bids, and the highest bid wins"}})
-      .word("allocation", &T::allocation, "How a master shares them.",
-            {{"coalitions", Allocation::kCoalitions,
-              "one task each, by sensors, endurance and time in wind and around zones, for "
-              "the highest utility"},
-             {"sequences", Allocation::kSequences,
-              "several tasks each in the order in which they are flown, so that the last "
-              "one ends soon; not in an auction"},
-             {"nearest", Allocation::kNearest,
-              "each keeps its task, others get the nearest"}})
+      .word(
+          "allocation", &T::allocation, "How a master shares them.",
+          {{"coalitions", Allocation::kCoalitions,
+            "one task each, by sensors, endurance and time in wind and around zones, for "
+            "the highest utility"},
+           {"sequences", Allocation::kSequences,
+            "several tasks each in the order in which they are flown, so that the last "
+            "one ends soon; not in an auction"},
+           {"nearest", Allocation::kNearest,
+            "each keeps its task, others get the nearest"}})
       .duration_s("query_period_s", &T::query_period,
                   "Between two queries of a master. Who is silent for four of them, more "
                   "where messages are lost, counts as lost. Null: 1 s, more where the "

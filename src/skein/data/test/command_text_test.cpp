@@ -150,10 +150,11 @@ TEST(CommandText, TasksOfATeamComeAfterOthers) {
   const auto changed = parsed<TeamTaskCommand>("team change 7 fly_to 1,2");
   EXPECT_EQ(changed.action, TeamTaskAction::kChange);
   EXPECT_EQ(std::get<FlyTo>(changed.what).point, Vec2(1, 2));
-  for (const char* json :
-       {R"({"kind": "change_team_task", "action": "withdraw"})",
-        R"({"kind": "change_team_task"})",
-        R"({"kind": "change_team_task", "action": "change", "number": 3, "after": [1], "what": {"kind": "fly_to", "north_m": 1, "east_m": 2}})"})
+  for (
+      const char* json :
+      {R"({"kind": "change_team_task", "action": "withdraw"})",
+       R"({"kind": "change_team_task"})",
+       R"({"kind": "change_team_task", "action": "change", "number": 3, "after": [1], "what": {"kind": "fly_to", "north_m": 1, "east_m": 2}})"})
     EXPECT_FALSE(parse_command(json).ok()) << json;
 }
 

@@ -41,7 +41,8 @@ class SequenceSearch {
             fade_.push_back(fade(table.service[from] + table.leg(a, from, to)));
     windows_ = table.has_windows();
     begin_greedily();
-    if (coupled_ && schedule_of(table_, routes_).late == math::kInfinity) begin_in_order();
+    if (coupled_ && schedule_of(table_, routes_).late == math::kInfinity)
+      begin_in_order();
   }
 
   std::int64_t run(const Effort& effort, std::int64_t moves) {
@@ -217,8 +218,8 @@ class SequenceSearch {
     double least = math::kInfinity;
     for (std::size_t a = 0; a < table_.aircraft; ++a) {
       if (!table_.may(a, t) || (best && taken[a] && !taken[*best])) continue;
-      const double end = costs_[a].end + (routes_[a].empty()
-                                              ? table_.start_of(a, t)
+      const double end =
+          costs_[a].end + (routes_[a].empty() ? table_.start_of(a, t)
                                               : table_.leg(a, routes_[a].back(), t));
       if (best && taken[a] == taken[*best] && end >= least) continue;
       best = a;

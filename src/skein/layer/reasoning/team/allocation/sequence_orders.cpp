@@ -44,7 +44,8 @@ class OrderSearch {
 
   // All continuations with begins from `now` on; false when the budget ended.
   bool look(std::size_t placed, double now) {
-    if (++nodes_ > effort_.moves(kMaxOrderNodes) || (nodes_ % 1024 == 0 && effort_.ended()))
+    if (++nodes_ > effort_.moves(kMaxOrderNodes) ||
+        (nodes_ % 1024 == 0 && effort_.ended()))
       return false;
     if (bound(now) >= best_.cost - 1e-9) return true;
     if (placed == table_.tasks) {

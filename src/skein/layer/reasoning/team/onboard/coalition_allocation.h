@@ -20,13 +20,14 @@ namespace skein::reasoning {
 ///   utility = sum over tasks of ( satisfaction(group) - sum of its members' costs )
 ///
 /// One aircraft satisfies a task by min(1.5, endurance / (1.2 time needed)), the time to
-/// come home included, by nothing below 1 or without the sensors that it takes; by a tenth more where it hovers over the
-/// one place that the task is about. A group's task is worth the root of how many are
-/// able. Joining costs the time to where the task begins over 1.01 times the longest one.
-/// Who executes a task already has 5 % more of it, and as much more as it has done:
-/// nobody begins where it left; and it counts as near as it has been to the begin. The
-/// present allocation is kept unless another one is more than 5 % better, or better and
-/// has fewer aircraft idle, or a task or an aircraft came or went.
+/// come home included, by nothing below 1 or without the sensors that it takes; by a
+/// tenth more where it hovers over the one place that the task is about. A group's task
+/// is worth the root of how many are able. Joining costs the time to where the task
+/// begins over 1.01 times the longest one. Who executes a task already has 5 % more of
+/// it, and as much more as it has done: nobody begins where it left; and it counts as
+/// near as it has been to the begin. The present allocation is kept unless another one is
+/// more than 5 % better, or better and has fewer aircraft idle, or a task or an aircraft
+/// came or went.
 ///
 /// Reference: spec of the team, section 11; allocation/coalitions.h.
 class CoalitionAllocation {

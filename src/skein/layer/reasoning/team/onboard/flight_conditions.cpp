@@ -37,7 +37,8 @@ void FlightConditions::set_zones(std::span<const Zone> zones, double altitude_ms
 
 std::optional<double> FlightConditions::time(const Vec2& from, const Vec2& to,
                                              double speed) const {
-  if (!detours_ || detours_->allows(from, to)) return time_in_wind(to - from, speed, wind_);
+  if (!detours_ || detours_->allows(from, to))
+    return time_in_wind(to - from, speed, wind_);
   double time = 0;
   Vec2 at = from;
   for (const Vec2& corner : detours_->detour(from, to)) {

@@ -32,7 +32,7 @@ class FlightConditions {
 
  private:
   Vec2 wind_ = Vec2::Zero();
-  std::vector<Zone> zones_;                // that count
+  std::vector<Zone> zones_;               // that count
   std::optional<DetourPlanner> detours_;  // around them; none: there are none
 };
 

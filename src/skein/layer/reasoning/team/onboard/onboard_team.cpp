@@ -13,7 +13,7 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kUnable = 60;        // after a task that it cannot fly [s]
-constexpr double kMaxRefused = 3600;  // the longest [s]
+constexpr int kMaxDoublings = 6;      // of that
 constexpr double kEndurance = 86400;  // while nothing is known of it [s]
 constexpr double kNotDone = 0.999;    // of a task, at most, until it is done
 constexpr double kLearnAgain = 1;     // of wind and zones, after [s]
@@ -55,9 +55,8 @@ void OnboardTeam::note(const TeamWork& work, Time now) {
 void OnboardTeam::refuse(std::uint32_t task, Time now) {
   Refusal& refusal = refusals_[task];
   if (refusal.times > 0 && now < refusal.until) return;
-  const double longer = std::min(kMaxRefused, kUnable * std::exp2(refusal.times));
-  refusal.until = now + Time::from_seconds(longer);
-  ++refusal.times;
+  refusal.until = now + Time::from_seconds(std::ldexp(kUnable, refusal.times));
+  refusal.times = std::min(refusal.times + 1, kMaxDoublings);
 }
 
 void OnboardTeam::learn(const AgentInput& in, const TeamWork& work) {

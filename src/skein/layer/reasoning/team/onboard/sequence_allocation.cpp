@@ -20,8 +20,8 @@ constexpr std::size_t kFewTasks = 10;            // that are looked at anew each
 // A move costs a look at all tasks where some are tied to others.
 std::int64_t moves_of(const TeamSequences& all) {
   if (!all.is_tied()) return kMoves;
-  return std::min(kMoves,
-                  kTiedMoves / static_cast<std::int64_t>(std::max<std::size_t>(1, all.tasks())));
+  return std::min(kMoves, kTiedMoves / static_cast<std::int64_t>(
+                                           std::max<std::size_t>(1, all.tasks())));
 }
 
 std::vector<std::size_t> numbers_to(std::size_t count) {
@@ -97,8 +97,8 @@ bool SequenceAllocation::must_plan(std::span<const TeamTask> open,
   if (is_new || open.size() <= kFewTasks + workers.size()) return true;
   std::size_t most = 0, least = open.size();
   for (const auto& [id, own] : flown_) {
-    const auto left = static_cast<std::size_t>(
-        std::ranges::count_if(own, [&](std::uint32_t number) {
+    const auto left =
+        static_cast<std::size_t>(std::ranges::count_if(own, [&](std::uint32_t number) {
           return std::ranges::find(open, number, &TeamTask::number) != open.end();
         }));
     most = std::max(most, left);

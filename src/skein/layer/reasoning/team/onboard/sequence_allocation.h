@@ -45,10 +45,10 @@ class SequenceAllocation {
   void plan(std::span<const TeamTask> open, std::span<const TeamWorker> workers);
 
   const FlightConditions* conditions_;
-  TeamAllocation whole_;           // the present plan
-  TeamAllocation flown_;           // of it, as much as the endurance allows
-  std::set<EntityId> workers_;     // when it was last asked
-  std::set<std::uint32_t> tasks_;  // likewise
+  TeamAllocation whole_;                        // the present plan
+  TeamAllocation flown_;                        // of it, as much as the endurance allows
+  std::set<EntityId> workers_;                  // when it was last asked
+  std::set<std::uint32_t> tasks_;               // likewise
   std::optional<allocation::Quality> quality_;  // of the whole, as a time [s]
 };
 

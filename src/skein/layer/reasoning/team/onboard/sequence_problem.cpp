@@ -125,8 +125,7 @@ bool TeamSequences::has_endless() const {
 
 double TeamSequences::start(std::size_t aircraft, std::size_t job) const {
   const Flyer& flyer = flyers_[aircraft];
-  return flyer.delay +
-         seconds(time_to_begin(jobs_[job].needs, flyer.free, conditions_));
+  return flyer.delay + seconds(time_to_begin(jobs_[job].needs, flyer.free, conditions_));
 }
 
 double TeamSequences::leg(std::size_t aircraft, std::size_t from, std::size_t to) const {

@@ -163,8 +163,7 @@ std::optional<double> time_within(const TaskNeeds& needs, const TeamResources& r
                                   const FlightConditions& conditions) {
   const double stay = needs.stay + (needs.endless ? kEndless : 0);
   if (needs.length <= 0) return stay;
-  const double left =
-      resources.speed * resources.speed - conditions.wind().squaredNorm();
+  const double left = resources.speed * resources.speed - conditions.wind().squaredNorm();
   if (left <= 0) return std::nullopt;
   return needs.length * resources.speed / left + stay;
 }

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kLookAgain = 1;  // at what has become of tasks, after [s]
 
-TeamTaskState state_of(const TeamTask& task,
-                       const std::map<std::uint32_t, TeamTask>& all, bool is_flown) {
+TeamTaskState state_of(const TeamTask& task, const std::map<std::uint32_t, TeamTask>& all,
+                       bool is_flown) {
   if (task.withdrawn) return TeamTaskState::kWithdrawn;
   if (task.done) return TeamTaskState::kDone;
   if (is_flown) return TeamTaskState::kFlown;

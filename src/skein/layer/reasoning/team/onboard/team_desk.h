@@ -63,8 +63,8 @@ class TeamDesk {
   /// waits for a task that is replaced waits for the other one.
   /// @param what  of the command, with numbers in place of names.
   /// @returns  why that cannot be; empty: the leader is told.
-  std::string obey(const TeamTaskCommand& command, const TaskKind& what,
-                   AgentOutput& out, Time now);
+  std::string obey(const TeamTaskCommand& command, const TaskKind& what, AgentOutput& out,
+                   Time now);
 
   /// As far as the station has heard; of one that was replaced the other one.
   bool is_done(std::uint32_t task) const;

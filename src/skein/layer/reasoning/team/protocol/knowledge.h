@@ -36,7 +36,8 @@ class TeamKnowledge {
   std::uint32_t parts() const;
 
   /// Takes in a part of the master's; what it says replaces all when the last is there.
-  /// But what is done, withdrawn or approved stays so, and tasks that the master lacks are kept.
+  /// But what is done, withdrawn or approved stays so, and tasks that the master lacks
+  /// are kept.
   void take(const TeamState& state);
   /// The master has said these tasks: what it does not know of them is news to it.
   void compare(std::span<const TeamTask> masters);

@@ -13,8 +13,8 @@ namespace skein::reasoning {
 ///
 /// A task that moves from one member to another is first taken from the one, and given to
 /// the other when the first has acknowledged that, says that it does not execute it, or
-/// is lost: so that nobody executes what another one still does. Until then what the other
-/// shall do behind it waits too.
+/// is lost: so that nobody executes what another one still does. Until then what the
+/// other shall do behind it waits too.
 class TeamOrders {
  public:
   /// An order that goes out now.

@@ -297,8 +297,7 @@ void TeamMember::step_alone() {
   if (config_.structure == TeamStructure::kNone) {
     const TeamWorker self = own_worker();
     if (resources_.able)
-      set_executing(
-          orderable(config_.allocate(tasks, {&self, 1}).given[self_], tasks));
+      set_executing(orderable(config_.allocate(tasks, {&self, 1}).given[self_], tasks));
     return set_status(TeamReason::kAlone);
   }
   for (const EntityId id : auction_.bidders()) {
@@ -306,9 +305,8 @@ void TeamMember::step_alone() {
     if (!contact || now_ - contact->heard > lost_) auction_.drop(id);
   }
   std::vector<TeamTask> ready = ready_of(tasks);
-  std::erase_if(ready, [self = own_worker()](const TeamTask& task) {
-    return refuses(self, task);
-  });
+  std::erase_if(
+      ready, [self = own_worker()](const TeamTask& task) { return refuses(self, task); });
   if (auction_.bid(self_, resources_, ready, config_.utility, config_.bundle))
     next_inform_ = std::min(next_inform_, now_);
   set_executing(auction_.won());

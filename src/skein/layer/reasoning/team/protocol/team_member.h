@@ -116,9 +116,9 @@ class TeamMember {
 
   // A follower, as its master has it.
   struct Follower {
-    double claimed = 0;    // when it last said that it follows
-    bool certain = false;  // it has said so
-    bool able = true;      // to fly tasks
+    double claimed = 0;                       // when it last said that it follows
+    bool certain = false;                     // it has said so
+    bool able = true;                         // to fly tasks
     std::vector<std::uint32_t> refused = {};  // of them
   };
   // Another master of the same mission that should give way.
@@ -372,10 +372,10 @@ class TeamMember {
   std::map<std::uint32_t, double> query_times_;
   std::map<EntityId, double> round_trips_;
   std::uint32_t queries_ = 0, next_part_ = 0;
-  bool changed_ = false;     // tasks are to be allocated anew
-  bool able_ = true;         // whether it was when they were
+  bool changed_ = false;                      // tasks are to be allocated anew
+  bool able_ = true;                          // whether it was when they were
   std::vector<std::uint32_t> tasks_refused_;  // by itself, when they were
-  double allocated_ = 0;     // when they were
+  double allocated_ = 0;                      // when they were
   TeamAllocation in_force_;  // what members are ordered; of all that are able
   std::optional<Proposal> proposal_;
   std::uint32_t proposals_ = 0;                               // the last one's number

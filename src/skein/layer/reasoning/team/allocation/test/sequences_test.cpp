@@ -214,8 +214,7 @@ TEST(Sequences, KeepRelationsBetweenManyTasks) {
 // though its first routes wait for each other without end.
 TEST(Sequences, FindWithRelationsWhatTheyDoWithout) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    SequenceProblem problem =
-        random_sequences(seed, 4, 30, SequenceObjective::kLastEnd);
+    SequenceProblem problem = random_sequences(seed, 4, 30, SequenceObjective::kLastEnd);
     const auto free = best_sequences(problem, {.iterations = 300'000});
     ASSERT_TRUE(free.ok());
     const auto& begin = free.value().begin;

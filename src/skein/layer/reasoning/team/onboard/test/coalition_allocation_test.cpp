@@ -149,7 +149,8 @@ TEST(CoalitionAllocation, NoSingleTaskHasTwo) {
 TEST(WorthOf, FallsWithTheTimeFromTheEndOfTheBundle) {
   const TeamTask near = measure(1, {500, 0}), far = measure(2, {3000, 0});
   const TeamResources self = worker(1, {0, 0}).resources;
-  EXPECT_GT(worth_of(near, self, {}, in_wind({0, 0})), worth_of(far, self, {}, in_wind({0, 0})));
+  EXPECT_GT(worth_of(near, self, {}, in_wind({0, 0})),
+            worth_of(far, self, {}, in_wind({0, 0})));
   const std::vector<TeamTask> bundle = {far};
   EXPECT_LT(worth_of(near, self, bundle, in_wind({0, 0})),
             worth_of(near, self, {}, in_wind({0, 0})));

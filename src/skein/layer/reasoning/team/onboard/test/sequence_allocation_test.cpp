@@ -164,7 +164,8 @@ TEST(SequenceAllocation, OneLongTaskDoesNotSpoilTheSharingOfTheOthers) {
   for (std::uint32_t k = 2; k <= 9; ++k)
     tasks.push_back(measure(k, {100.0 * k, 300}, 60));
   std::vector<TeamWorker> workers;
-  for (std::uint32_t id = 1; id <= 5; ++id) workers.push_back(worker(id, {100.0 * id, 0}));
+  for (std::uint32_t id = 1; id <= 5; ++id)
+    workers.push_back(worker(id, {100.0 * id, 0}));
   for (const auto& [id, own] : allocate(tasks, workers).given)
     EXPECT_LE(own.size(), 2u) << id.value;
 }

@@ -48,9 +48,9 @@ TEST(TaskNeeds, KnowWhereATaskEndsAndTheWayHomeFromThere) {
   EXPECT_DOUBLE_EQ(*time_home(needs, resources, conditions), 50);
   conditions.set_wind({0, 10});
   EXPECT_DOUBLE_EQ(*time_home(needs, resources, conditions), 100);
-  EXPECT_DOUBLE_EQ(*time_home(needs_of(TaskKind(Measure{{1000, 1500}, 60})), resources,
-                              conditions),
-                   200);
+  EXPECT_DOUBLE_EQ(
+      *time_home(needs_of(TaskKind(Measure{{1000, 1500}, 60})), resources, conditions),
+      200);
 }
 
 TEST(TeamTask, CarriesWhatIsFlown) {

@@ -24,8 +24,8 @@ namespace skein::reasoning {
 /// - no single task is flown by two, and none that one of them knows to be done, nor one
 ///   that comes after a task which is not over.
 ///
-/// With sequences a member may have none while all that could be flown is in the orders of
-/// others, who fly it later.
+/// With sequences a member may have none while all that could be flown is in the orders
+/// of others, who fly it later.
 ///
 /// In an auction nobody leads. Without its station a group with a fixed master has nobody
 /// to lead it, and where the operator approves what is flown it may have nothing to fly.
@@ -183,9 +183,9 @@ class TeamModel {
 
   // What it comes after is over, as an entity has heard.
   bool is_ready(std::uint32_t task, const TeamWorld::Informed& known) const {
-    return std::ranges::all_of(
-        world_.wanted.at(task).after,
-        [&](std::uint32_t before) { return known.done.contains(before); });
+    return std::ranges::all_of(world_.wanted.at(task).after, [&](std::uint32_t before) {
+      return known.done.contains(before);
+    });
   }
 
   void look_at_idle(EntityId leader, const Members& team, const Members& group,

@@ -237,8 +237,8 @@ TEST(TeamOnAir, WhatComesAfterOthersIsFlownWhenTheyAreDone) {
 }
 
 TEST(TeamOnAir, WhatTheOperatorWithdrawsIsNotFlownAnyMore) {
-  for (const auto structure : {TeamStructure::kMaster, TeamStructure::kFixedMaster,
-                               TeamStructure::kAuction}) {
+  for (const auto structure :
+       {TeamStructure::kMaster, TeamStructure::kFixedMaster, TeamStructure::kAuction}) {
     AirTeam team = three(structure, 0.2);
     const auto numbers = team.desk->hand_in("M", measurements(2), Time());
     team.task_time = 1e6;

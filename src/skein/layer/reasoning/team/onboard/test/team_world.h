@@ -21,9 +21,9 @@ namespace skein::reasoning {
 /// what is true, whatever the members believe.
 class TeamWorld {
  public:
-  static constexpr double kStep = 0.2;   // [s]
+  static constexpr double kStep = 0.2;    // [s]
   static constexpr double kRefused = 60;  // a task that cannot be flown, at first [s]
-  static constexpr double kSpeed = 15;   // [m/s]
+  static constexpr double kSpeed = 15;    // [m/s]
   static constexpr EntityId kStation{0};
 
   /// What an entity has been told, or has seen itself.
@@ -132,9 +132,7 @@ class TeamWorld {
     const TeamTask* task = aircraft.at(id).team->task();
     return task ? std::optional(task->number) : std::nullopt;
   }
-  bool is_able(EntityId id) const {
-    return aircraft.at(id).work.free;
-  }
+  bool is_able(EntityId id) const { return aircraft.at(id).work.free; }
   /// Nobody may be given again lately, nor soon [s], what it has refused.
   bool is_steady(double lately, double soon) const {
     return std::ranges::none_of(aircraft, [&](const auto& one) {
@@ -214,7 +212,8 @@ class TeamWorld {
   void refuse(Aircraft& one) {
     auto& [until, times] = one.refused[*one.work.task];
     if (times > 0 && now < until) return;
-    until = now + std::min(3600.0, kRefused * std::exp2(times++));
+    until = now + std::ldexp(kRefused, times);
+    times = std::min(times + 1, 6);
   }
 
   void begin(EntityId id, Aircraft& one, std::optional<std::uint32_t> task) {
