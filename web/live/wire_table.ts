@@ -455,6 +455,7 @@ export const kTable: Table = {
       ["able", "flag"],
       ["home_north", "f32", "_m"],
       ["home_east", "f32", "_m"],
+      ["refused", "uint[]"],
     ],
     TeamProgress: [
       ["task", "uint"],

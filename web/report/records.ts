@@ -519,6 +519,7 @@ export interface TeamInform {
   resources_able: boolean; // it flies tasks
   resources_home_north_m: number; // where it flies in the end
   resources_home_east_m: number; // likewise
+  resources_refused: number[]; // tasks that it cannot fly now
   tasks: TeamProgress[]; // that it executes
 }
 
@@ -534,6 +535,7 @@ export interface TeamPropose {
   resources_able: boolean; // it flies tasks
   resources_home_north_m: number; // where it flies in the end
   resources_home_east_m: number; // likewise
+  resources_refused: number[]; // tasks that it cannot fly now
 }
 
 /** A master would take a newcomer. */
