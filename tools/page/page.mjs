@@ -215,6 +215,7 @@ missions:
 
   // A task of the team is changed by the form, and withdrawn by its button.
   const tasks = () => [...window.skein.world.teamTasks.values()].map(({ number, state }) => `${number} ${state}`).join();
+  await page.click("#tab-fleet");
   await page.evaluate(() => window.skein.map.select([5]));
   await page.getByRole("button", { name: "Give a task" }).click();
   const form = page.locator(".task-form:visible");

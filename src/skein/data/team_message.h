@@ -76,7 +76,7 @@ struct TeamResources {
   double endurance = 0;       ///< left [s]
   std::uint32_t sensors = 0;  ///< a bit for each kind
   bool able = true;           ///< it flies tasks; false: a ground station, a pilot flies
-  float home_north = 0, home_east = 0;  ///< where it flies in the end, N [m]
+  std::int32_t home_north = 0, home_east = 0;  ///< where it flies in the end, N [m]
   /// Numbers of tasks that it has found it cannot fly, and is not to be given for a
   /// while.
   std::vector<std::uint32_t> refused = {};

@@ -62,8 +62,8 @@ void OnboardTeam::refuse(std::uint32_t task, Time now) {
 void OnboardTeam::learn(const AgentInput& in, const TeamWork& work) {
   if (!in.nav) return;
   if (!learned_) {
-    resources_.home_north = static_cast<float>(in.nav->p_N.x());
-    resources_.home_east = static_cast<float>(in.nav->p_N.y());
+    resources_.home_north = static_cast<std::int32_t>(std::lround(in.nav->p_N.x()));
+    resources_.home_east = static_cast<std::int32_t>(std::lround(in.nav->p_N.y()));
   }
   if (learned_ && in.now - *learned_ < Time::from_seconds(kLearnAgain)) return;
   learned_ = in.now;

@@ -153,8 +153,8 @@ std::optional<double> time_to_begin(const TaskNeeds& needs,
 std::optional<double> time_home(const TaskNeeds& needs, const TeamResources& resources,
                                 const FlightConditions& conditions) {
   const Vec2 begin = needs.begin.value_or(geo::horizontal(resources.place));
-  return conditions.time(needs.end.value_or(begin),
-                         {resources.home_north, resources.home_east}, resources.speed);
+  const Vec2 home(resources.home_north, resources.home_east);
+  return conditions.time(needs.end.value_or(begin), home, resources.speed);
 }
 
 // Within the task it flies to and fro, with the wind and against it: V / (V^2 - w^2) for
