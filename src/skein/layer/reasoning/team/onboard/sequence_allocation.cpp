@@ -9,8 +9,6 @@
 namespace skein::reasoning {
 namespace {
 
-using allocation::Quality;
-using allocation::SequenceProblem;
 using allocation::SequenceRoutes;
 
 constexpr std::int64_t kMoves = 300'000;         // of a search among many tasks
