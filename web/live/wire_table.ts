@@ -453,8 +453,8 @@ export const kTable: Table = {
       ["endurance", "f64", "_s"],
       ["sensors", "uint"],
       ["able", "flag"],
-      ["home_north", "f32", "_m"],
-      ["home_east", "f32", "_m"],
+      ["home_north", "int", "_m"],
+      ["home_east", "int", "_m"],
       ["refused", "uint[]"],
     ],
     TeamProgress: [
