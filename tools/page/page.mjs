@@ -191,7 +191,7 @@ missions:
   };
   // A proposal is withdrawn when more of the team have been heard of: who has just approved it
   // is asked again about the next.
-  const approve = page.getByRole("button", { name: "Approve" }).first();
+  const approve = page.getByRole("button", { name: "Approve", exact: true }).first();
   let approved;
   for (let tries = 0; approved?.state !== "approved"; ++tries) {
     if (tries === 8) throw new Error("no proposal was approved by its button");
@@ -226,7 +226,7 @@ missions:
   await form.getByRole("button", { name: "Send" }).click();
   await until(page, "another task in the place of one", tasks, (text) => text.includes("2 withdrawn") && text.includes("4 "));
   await page.click("#tab-mission");
-  await page.locator("li.card", { hasText: "1: Measure at a point" }).getByRole("button", { name: "Withdraw" }).click();
+  await page.locator("li.card", { hasText: "1: Measure at a point" }).getByRole("button", { name: "Withdraw", exact: true }).click();
   await until(page, "a task that is withdrawn", tasks, (text) => text.includes("1 withdrawn"));
   check(true, "tasks of a team are changed and withdrawn");
   await page.screenshot({ path: join(folder, "team-tasks.png") });
