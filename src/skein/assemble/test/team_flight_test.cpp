@@ -241,7 +241,7 @@ commands:
   ASSERT_TRUE(times.contains(8)) << log.story();
   EXPECT_GT(times.at(8), std::max(times.at(2), times.at(3))) << log.story();
   EXPECT_NE(log.find("team-task-withdrawn", "1: measure"), nullptr) << log.story();
-  EXPECT_NE(log.find("command-refused", "team task of station: there is no task 77"),
+  EXPECT_NE(log.find("command-refused", "team task of station: there is no task 77."),
             nullptr)
       << log.story();
   EXPECT_NE(log.find("mission", "three is over"), nullptr) << log.story();
