@@ -489,8 +489,8 @@ export interface TeamQuery {
   members: number; // how many, the master included
   members_hash: number; // of their ids
   state_number: number; // of the state as it is now
-  led_s: number | null; // for how long it has led
-  round_trip_s: number | null; // the longest measured
+  led_s: number; // for how long it has led
+  round_trip_s: number; // the longest measured
   successor: number | null; // takes over from the sender
   predecessor: number | null; // from whom it took over
 }
@@ -506,15 +506,15 @@ export interface TeamInform {
   mission: number | null; // null: a newcomer
   master_id: number | null; // whom it follows, or itself
   query: number; // number of its master's last one
-  held_s: number | null; // since that was received
+  held_s: number; // since that was received
   members_hash: number; // of whom it knows
   state_number: number; // of what it has in full
   leaving: boolean; // it leads no more
   resources_place_north_m: number | null; // where it is
   resources_place_east_m: number | null; // where it is
   resources_place_altitude_msl_m: number | null; // where it is
-  resources_speed_mps: number | null; // cruise
-  resources_endurance_s: number | null; // what is left
+  resources_speed_mps: number; // cruise
+  resources_endurance_s: number; // what is left
   resources_sensors: number; // a bit for each kind
   resources_able: boolean; // it flies tasks
   resources_home_north_m: number; // where it flies in the end
@@ -529,8 +529,8 @@ export interface TeamPropose {
   resources_place_north_m: number | null; // where it is
   resources_place_east_m: number | null; // where it is
   resources_place_altitude_msl_m: number | null; // where it is
-  resources_speed_mps: number | null; // cruise
-  resources_endurance_s: number | null; // what is left
+  resources_speed_mps: number; // cruise
+  resources_endurance_s: number; // what is left
   resources_sensors: number; // a bit for each kind
   resources_able: boolean; // it flies tasks
   resources_home_north_m: number; // where it flies in the end
@@ -567,7 +567,6 @@ export interface TeamTask {
   number: number; // among the mission's, from 1
   place_north_m: number | null; // its centre
   place_east_m: number | null; // its centre
-  place_altitude_msl_m: number | null; // its centre
   single: boolean; // one aircraft does it, not a group
   done: boolean; // nothing is left of it
   branch: number | null; // of a mission that was split
@@ -1566,7 +1565,6 @@ export interface TeamTaskChange {
   what: string; // its kind
   north_m: number | null; // its centre
   east_m: number | null; // its centre
-  altitude_msl_m: number | null; // its centre
   after: number[]; // tasks that are over before it is flown
   several: boolean; // several may fly it at once
   state: "waits" | "open" | "flown" | "done" | "withdrawn"; // how far it is

@@ -37,7 +37,7 @@ std::string name_of(const TeamMission& mission);
 /// A task of a team's mission.
 struct TeamTask {
   std::uint32_t number = 0;   ///< among the mission's, from 1
-  Vec3 place = Vec3::Zero();  ///< its centre, N [m]
+  Vec2 place = Vec2::Zero();  ///< its centre, N [m]
   bool single = true;         ///< one aircraft does it, not a group
   bool done = false;
   /// Of a mission that was split: whose part it is.
@@ -72,8 +72,8 @@ constexpr auto describe(const TeamTask*) {
 /// What a member can do.
 struct TeamResources {
   Vec3 place = Vec3::Zero();  ///< N [m]
-  double speed = 0;           ///< cruise [m/s]
-  double endurance = 0;       ///< left [s]
+  float speed = 0;            ///< cruise [m/s]
+  float endurance = 0;        ///< left [s]
   std::uint32_t sensors = 0;  ///< a bit for each kind
   bool able = true;           ///< it flies tasks; false: a ground station, a pilot flies
   std::int32_t home_north = 0, home_east = 0;  ///< where it flies in the end, N [m]
@@ -115,8 +115,8 @@ struct TeamQuery {
   std::uint32_t members = 0;       ///< how many, the master included
   std::uint32_t members_hash = 0;  ///< of their ids
   std::uint32_t state_number = 0;  ///< TeamState::number of what it has now
-  double led = 0;                  ///< for how long it has led [s]
-  double round_trip = 0;           ///< the longest that it has measured [s]
+  float led = 0;                   ///< for how long it has led [s]
+  float round_trip = 0;            ///< the longest that it has measured [s]
   /// Who takes over from the sender.
   std::optional<EntityId> successor = std::nullopt;
   /// From whom the sender took over.
@@ -142,7 +142,7 @@ struct TeamInform {
   std::optional<TeamMission> mission = std::nullopt;  ///< none: a newcomer
   std::optional<EntityId> master = std::nullopt;      ///< whom it follows, or itself
   std::uint32_t query = 0;         ///< number of the last one heard from its master
-  double held = 0;                 ///< since that was heard [s]
+  float held = 0;                  ///< since that was heard [s]
   std::uint32_t members_hash = 0;  ///< of the members that it knows
   std::uint32_t state_number = 0;  ///< of the newest state that it has in full
   bool leaving = false;            ///< it leads no more

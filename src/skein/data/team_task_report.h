@@ -30,7 +30,7 @@ struct TeamTaskReport {
   std::string team;                       ///< its mission
   std::uint32_t number = 0;               ///< among the mission's, from 1
   std::string what;                       ///< its kind
-  Vec3 place = Vec3::Zero();              ///< its centre, N [m]; of no altitude
+  Vec2 place = Vec2::Zero();              ///< its centre, N [m]
   std::vector<std::uint32_t> after = {};  ///< tasks that are over before it is flown
   bool group = false;                     ///< several may fly it at once
   TeamTaskState state = TeamTaskState::kOpen;

@@ -39,7 +39,7 @@ TEST(TeamMessage, NamesBranchesAfterTheirFirstMaster) {
 
 TEST(TeamMessage, TravelsInTheWireForm) {
   TeamState state{
-      7, 1, 2, {{3}, {5}}, {{{3}, {5}, 1}}, {{4, {1, 2, 3}, true, false, EntityId{3}}}};
+      7, 1, 2, {{3}, {5}}, {{{3}, {5}, 1}}, {{4, {1, 2}, true, false, EntityId{3}}}};
   state.tasks.front().after = {1, 3};
   state.tasks.front().withdrawn = true;
   std::vector<std::byte> bytes;

@@ -148,7 +148,7 @@ TeamAllocated CoalitionAllocation::operator()(std::span<const TeamTask> open,
 double worth_of(const TeamTask& task, const TeamResources& self,
                 std::span<const TeamTask> bundle, const FlightConditions& conditions) {
   TeamResources from = self;
-  if (!bundle.empty()) from.place = bundle.back().place;
+  if (!bundle.empty()) from.place.head<2>() = bundle.back().place;
   const TaskNeeds needs = needs_of(task);
   const double satisfied = satisfaction_of_one(task, needs, from, conditions);
   if (satisfied <= 0) return 0;

@@ -19,9 +19,8 @@ constexpr double kNotDone = 0.999;    // of a task, at most, until it is done
 constexpr double kLearnAgain = 1;     // of wind and zones, after [s]
 
 std::string text_of(const TeamTask& task) {
-  const auto what = unpacked(task);
   return fmt::format("{}{}: {}", task.single ? "" : "group ", task.number,
-                     what ? kind_of(*what) : "nothing");
+                     name_of_kind(task));
 }
 
 }  // namespace
@@ -30,7 +29,7 @@ OnboardTeam::OnboardTeam(EntityId self, OnboardTeamOptions options)
     : self_(self),
       options_(std::move(options)),
       link_(self, with_sharing(options_.config, options_.sharing, conditions_)) {
-  resources_.speed = options_.cruise;
+  resources_.speed = static_cast<float>(options_.cruise);
   resources_.sensors = options_.sensors;
 }
 
@@ -73,8 +72,8 @@ void OnboardTeam::learn(const AgentInput& in, const TeamWork& work) {
 
 void OnboardTeam::say_resources(const AgentInput& in, const TeamWork& work) {
   if (in.nav) resources_.place = in.nav->p_N;
-  resources_.endurance =
-      std::clamp(in.autopilot.endurance.value_or(kEndurance), 0.0, kEndurance);
+  resources_.endurance = static_cast<float>(
+      std::clamp(in.autopilot.endurance.value_or(kEndurance), 0.0, kEndurance));
   resources_.able = in.nav != nullptr && work.free && in.now >= unable_until_;
   resources_.refused.clear();
   for (const auto& [task, refusal] : refusals_)
@@ -84,9 +83,7 @@ void OnboardTeam::say_resources(const AgentInput& in, const TeamWork& work) {
 }
 
 bool OnboardTeam::may_begin(std::uint32_t task) const {
-  const auto& refused = resources_.refused;
-  if (flown_.contains(task) || std::ranges::find(refused, task) != refused.end())
-    return false;
+  if (flown_.contains(task) || refuses(resources_, task)) return false;
   const auto& known = link_.member().knowledge().tasks;
   const auto found = known.find(task);
   return found == known.end() ||

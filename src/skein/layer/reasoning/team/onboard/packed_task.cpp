@@ -17,6 +17,11 @@ std::vector<std::uint8_t> packed(const TaskKind& task) {
   return all;
 }
 
+std::string name_of_kind(const TeamTask& task) {
+  const auto what = unpacked(task);
+  return std::string(what ? kind_of(*what) : "nothing");
+}
+
 std::optional<TaskKind> unpacked(const TeamTask& task) {
   auto decoded = wire::decode<TaskKind>(std::as_bytes(std::span(task.what)));
   if (!decoded || !task_error(decoded.value()).empty()) return std::nullopt;

@@ -1,6 +1,7 @@
 #include "skein/layer/reasoning/team/onboard/sequence_allocation.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -105,8 +106,8 @@ bool SequenceAllocation::must_plan(std::span<const TeamTask> open,
   return least == 0 && most > 1;
 }
 
-void SequenceAllocation::plan(std::span<const TeamTask> open,
-                              std::span<const TeamWorker> workers) {
+allocation::Quality SequenceAllocation::plan(std::span<const TeamTask> open,
+                                             std::span<const TeamWorker> workers) {
   const TeamSequences all(open, workers, kMaxPlanned, *conditions_);
   SequenceRoutes routes = all.routes_of(whole_);
   auto present = all.times(routes);
@@ -134,8 +135,10 @@ void SequenceAllocation::plan(std::span<const TeamTask> open,
   }
   whole_ = all.plan_of(routes);
   flown_ = all.plan_of(all.within_endurance(std::move(routes)));
-  quality_.emplace().value = present ? present->last() : 0;
-  quality_->bound = bound_of(all, bound, quality_->value);
+  allocation::Quality quality;
+  quality.value = present ? present->last() : 0;
+  quality.bound = bound_of(all, bound, quality.value);
+  return quality;
 }
 
 TeamAllocated SequenceAllocation::operator()(std::span<const TeamTask> open,
@@ -147,14 +150,14 @@ TeamAllocated SequenceAllocation::operator()(std::span<const TeamTask> open,
   const bool is_new = ids != workers_ || !std::ranges::includes(tasks_, numbers);
   workers_ = std::move(ids);
   tasks_ = std::move(numbers);
-  quality_.reset();
-  if (must_plan(open, workers, is_new)) plan(open, workers);
+  std::optional<allocation::Quality> quality;
+  if (must_plan(open, workers, is_new)) quality = plan(open, workers);
   TeamAllocated all(flown_);
   for (auto& [id, own] : all.given)
     std::erase_if(own, [this](std::uint32_t task) { return !tasks_.contains(task); });
-  if (quality_) {
-    all.value = -quality_->value;
-    all.bound = -quality_->bound;
+  if (quality) {
+    all.value = -quality->value;
+    all.bound = -quality->bound;
   }
   return all;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <set>
 #include <span>
 
@@ -42,14 +41,15 @@ class SequenceAllocation {
  private:
   bool must_plan(std::span<const TeamTask> open, std::span<const TeamWorker> workers,
                  bool is_new) const;
-  void plan(std::span<const TeamTask> open, std::span<const TeamWorker> workers);
+  /// @returns  how good the plan is, as a time [s].
+  allocation::Quality plan(std::span<const TeamTask> open,
+                           std::span<const TeamWorker> workers);
 
   const FlightConditions* conditions_;
-  TeamAllocation whole_;                        // the present plan
-  TeamAllocation flown_;                        // of it, as much as the endurance allows
-  std::set<EntityId> workers_;                  // when it was last asked
-  std::set<std::uint32_t> tasks_;               // likewise
-  std::optional<allocation::Quality> quality_;  // of the whole, as a time [s]
+  TeamAllocation whole_;           // the present plan
+  TeamAllocation flown_;           // of it, as much as the endurance allows
+  std::set<EntityId> workers_;     // when it was last asked
+  std::set<std::uint32_t> tasks_;  // likewise
 };
 
 }  // namespace skein::reasoning

@@ -57,12 +57,9 @@ TeamSequences::Flyer TeamSequences::flyer_of(const TeamWorker& worker,
     left.stay *= 1 - share;
     const auto time = is_way ? time_to_begin(left, worker.resources, conditions_)
                              : time_within(left, worker.resources, conditions_);
-    if (const auto end = end_place(left)) {
-      flyer.free.place.x() = end->x();
-      flyer.free.place.y() = end->y();
-    }
+    if (const auto end = end_place(left)) flyer.free.place.head<2>() = *end;
     flyer.delay = std::min(seconds(time), kMaxDelay);
-    flyer.free.endurance -= kEnduranceReserve * flyer.delay;
+    flyer.free.endurance -= static_cast<float>(kEnduranceReserve * flyer.delay);
     flyer.begun = task->number;
     begun.insert(task->number);
     break;

@@ -1,12 +1,12 @@
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "skein/geo/polygon.h"
 #include "skein/layer/reasoning/team/onboard/packed_task.h"
+#include "skein/layer/reasoning/team/protocol/allocation.h"
 
 namespace skein::reasoning {
 namespace {
@@ -120,7 +120,7 @@ TaskNeeds needs_of(const TaskKind& task) {
 TaskNeeds needs_of(const TeamTask& task) {
   if (const auto what = unpacked(task)) return needs_of(*what);
   TaskNeeds needs;
-  needs.begin = needs.centre = geo::horizontal(task.place);
+  needs.begin = needs.centre = task.place;
   return needs;
 }
 
@@ -129,7 +129,7 @@ TeamTask team_task(std::uint32_t number, const TaskKind& what, std::uint32_t sen
   const TaskNeeds needs = needs_of(what);
   TeamTask task;
   task.number = number;
-  task.place = {needs.centre.x(), needs.centre.y(), 0};
+  task.place = needs.centre;
   task.single = !group;
   task.sensors = sensors | needs.sensors;
   task.what = packed(what);
@@ -138,9 +138,7 @@ TeamTask team_task(std::uint32_t number, const TaskKind& what, std::uint32_t sen
 }
 
 bool may_be_given(const TeamTask& task, const TeamResources& resources) {
-  const auto& refused = resources.refused;
-  return (task.sensors & ~resources.sensors) == 0 &&
-         std::ranges::find(refused, task.number) == refused.end();
+  return (task.sensors & ~resources.sensors) == 0 && !refuses(resources, task.number);
 }
 
 std::optional<double> time_to_begin(const TaskNeeds& needs,

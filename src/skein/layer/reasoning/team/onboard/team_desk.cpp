@@ -26,9 +26,7 @@ TeamTaskState state_of(const TeamTask& task, const std::map<std::uint32_t, TeamT
 }
 
 std::string words_of(const TeamTask& task) {
-  const auto what = unpacked(task);
-  std::string text =
-      fmt::format("{}: {}", task.number, what ? kind_of(*what) : "nothing");
+  std::string text = fmt::format("{}: {}", task.number, name_of_kind(task));
   for (const std::uint32_t number : task.after)
     text += fmt::format("{} {}", number == task.after.front() ? " after" : ",", number);
   return text;
@@ -82,20 +80,18 @@ void TeamDesk::record_tasks(AgentOutput& out) {
   const auto executors = link_.member().executors();
   for (const auto& [number, task] : tasks) {
     const auto executor = executors.find(number);
-    TeamTaskReport report;
-    report.team = mission_;
-    report.number = number;
-    const auto what = unpacked(task);
-    report.what = what ? kind_of(*what) : "nothing";
-    report.place = task.place;
-    report.after = task.after;
-    report.group = !task.single;
-    if (executor != executors.end() && !task.done) report.executor = executor->second;
-    report.state = state_of(task, tasks, report.executor.has_value());
-    TeamTaskReport& last = recorded_[number];
-    if (last == report) continue;
-    last = report;
-    out.records.emplace_back(std::move(report));
+    const bool is_flown = executor != executors.end() && !task.done;
+    const TeamTaskState state = state_of(task, tasks, is_flown);
+    const auto flown_by = is_flown ? std::optional(executor->second) : std::nullopt;
+    const auto [known, is_new] = recorded_.try_emplace(number);
+    TeamTaskReport& report = known->second;
+    if (!is_new && report.state == state && report.executor == flown_by) continue;
+    if (is_new)
+      report = {mission_,   number,     name_of_kind(task),
+                task.place, task.after, !task.single};
+    report.state = state;
+    report.executor = flown_by;
+    out.records.emplace_back(report);
   }
 }
 

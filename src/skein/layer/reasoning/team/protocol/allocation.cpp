@@ -6,7 +6,7 @@ namespace skein::reasoning {
 namespace {
 
 double distance(const TeamTask& task, const TeamWorker& worker) {
-  return (task.place - worker.resources.place).norm();
+  return (task.place - geo::horizontal(worker.resources.place)).norm();
 }
 
 // Who executes a task already keeps it.
@@ -15,7 +15,7 @@ void keep_tasks(std::span<const TeamTask> tasks, std::span<const TeamWorker> wor
   for (const TeamWorker& worker : workers)
     for (const std::uint32_t number : worker.tasks) {
       const auto task = std::ranges::find(tasks, number, &TeamTask::number);
-      if (task == tasks.end() || refuses(worker, *task) ||
+      if (task == tasks.end() || refuses(worker.resources, number) ||
           (task->single && taken.contains(number)))
         continue;
       given[worker.id] = {number};
@@ -34,7 +34,7 @@ bool give_nearest(std::span<const TeamTask> tasks, std::span<const TeamWorker> w
   for (const TeamTask& task : tasks) {
     if (!open(task)) continue;
     for (const TeamWorker& worker : workers) {
-      if (!given[worker.id].empty() || refuses(worker, task)) continue;
+      if (!given[worker.id].empty() || refuses(worker.resources, task.number)) continue;
       if (best_task && distance(task, worker) >= distance(*best_task, *best_worker))
         continue;
       best_task = &task;
@@ -56,9 +56,8 @@ std::set<std::uint32_t> executed(std::span<const TeamWorker> workers) {
 
 }  // namespace
 
-bool refuses(const TeamWorker& worker, const TeamTask& task) {
-  const auto& refused = worker.resources.refused;
-  return std::ranges::find(refused, task.number) != refused.end();
+bool refuses(const TeamResources& member, std::uint32_t task) {
+  return std::ranges::find(member.refused, task) != member.refused.end();
 }
 
 std::vector<TeamTask> ready_of(std::span<const TeamTask> tasks) {

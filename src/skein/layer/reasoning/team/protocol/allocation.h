@@ -21,8 +21,8 @@ struct TeamWorker {
       {};  ///< of each that is done, from 0 to 1; none: not known
 };
 
-/// Whether a worker has said that it cannot fly a task.
-bool refuses(const TeamWorker& worker, const TeamTask& task);
+/// Whether a member has said that it cannot fly the task of a number.
+bool refuses(const TeamResources& member, std::uint32_t task);
 
 /// For each worker the numbers of its tasks, in the order in which it flies them.
 using TeamAllocation = std::map<EntityId, std::vector<std::uint32_t>>;

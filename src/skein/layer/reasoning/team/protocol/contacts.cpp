@@ -21,7 +21,8 @@ constexpr double kMaxRate = 64;          // messages to one receiver in a second
 bool is_sane(double value) {
   return std::isfinite(value) && value >= 0 && value <= kMaxNumber;
 }
-bool is_sane(const Vec3& place) {
+template <int kSize>
+bool is_sane(const Eigen::Matrix<double, kSize, 1>& place) {
   return place.allFinite() && place.cwiseAbs().maxCoeff() <= kMaxPlace;
 }
 bool is_sane(const TeamMission& mission) {
@@ -33,7 +34,7 @@ bool is_sane(const std::optional<TeamMission>& mission) {
 bool is_sane(const TeamResources& resources) {
   return is_sane(resources.place) && is_sane(resources.speed) &&
          is_sane(resources.endurance) &&
-         is_sane(Vec3(resources.home_north, resources.home_east, 0)) &&
+         is_sane(Vec2(resources.home_north, resources.home_east)) &&
          resources.refused.size() <= kMaxItems;
 }
 bool is_sane(const TeamTask& task) {

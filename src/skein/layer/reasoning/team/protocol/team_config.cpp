@@ -9,7 +9,7 @@ EntityId lowest_id(std::span<const EntityId> ids) {
 double nearness(const TeamTask& task, const TeamResources& self,
                 std::span<const TeamTask> bundle) {
   constexpr double kFar = 1000;  // [m]
-  const Vec3 from = bundle.empty() ? self.place : bundle.back().place;
+  const Vec2 from = bundle.empty() ? geo::horizontal(self.place) : bundle.back().place;
   return 1 / (1 + (task.place - from).norm() / kFar);
 }
 

@@ -63,7 +63,7 @@ bool TeamMember::submit(const std::string& mission, std::span<const TeamTask> ta
 TeamTimes TeamMember::known_times() const {
   TeamTimes known = times();
   if (known.mission_diameter > 0 || knowledge_.tasks.empty()) return known;
-  Vec3 low = knowledge_.tasks.begin()->second.place, high = low;
+  Vec2 low = knowledge_.tasks.begin()->second.place, high = low;
   for (const auto& [number, task] : knowledge_.tasks) {
     low = low.cwiseMin(task.place);
     high = high.cwiseMax(task.place);
@@ -199,7 +199,7 @@ TeamInform TeamMember::own_inform() const {
   if (const auto* master = master_ ? contacts_.find(*master_) : nullptr;
       master && role_ == Role::kFollowing && master->leads) {
     inform.query = master->query_number;
-    inform.held = std::max(0.0, now_ - master->queried);
+    inform.held = static_cast<float>(std::max(0.0, now_ - master->queried));
   }
   inform.members_hash = hash_of_members(status_.members);
   inform.state_number = knowledge_.number();
@@ -215,7 +215,7 @@ void TeamMember::send_inform() {
   TeamInform inform = own_inform();
   if (!is_same_but_for_flight(inform, informed_)) informs_ = kInformRepeats;
   if (role_ == Role::kFollowing && informs_ <= 0 && ++since_inform_ < kInformEvery)
-    return send_all(TeamHere{inform.master, inform.query, static_cast<float>(inform.held),
+    return send_all(TeamHere{inform.master, inform.query, inform.held,
                              inform.members_hash, inform.state_number});
   informs_ = std::max(0, informs_ - 1);
   since_inform_ = 0;
@@ -293,7 +293,7 @@ void TeamMember::send_periodic() {
 
 void TeamMember::step_alone() {
   finish_own();
-  const auto tasks = open_tasks();
+  auto tasks = open_tasks();
   if (config_.structure == TeamStructure::kNone) {
     const TeamWorker self = own_worker();
     if (resources_.able)
@@ -304,10 +304,10 @@ void TeamMember::step_alone() {
     const auto* contact = contacts_.find(id);
     if (!contact || now_ - contact->heard > lost_) auction_.drop(id);
   }
-  std::vector<TeamTask> ready = ready_of(tasks);
-  std::erase_if(
-      ready, [self = own_worker()](const TeamTask& task) { return refuses(self, task); });
-  if (auction_.bid(self_, resources_, ready, config_.utility, config_.bundle))
+  std::erase_if(tasks, [this](const TeamTask& task) {
+    return !task.after.empty() || refuses(resources_, task.number);
+  });
+  if (auction_.bid(self_, resources_, tasks, config_.utility, config_.bundle))
     next_inform_ = std::min(next_inform_, now_);
   set_executing(auction_.won());
   set_status(TeamReason::kAlone);

@@ -75,7 +75,8 @@ void TeamMember::keep_in_force(std::span<const TeamTask> tasks,
     std::vector<std::uint32_t>& keeps = kept[worker.id];
     for (const std::uint32_t number : had) {
       const auto task = std::ranges::find(tasks, number, &TeamTask::number);
-      if (task == tasks.end() || !task->released || refuses(worker, *task)) continue;
+      if (task == tasks.end() || !task->released || refuses(worker.resources, number))
+        continue;
       if (taken.insert(number).second || !task->single) keeps.push_back(number);
     }
     give(worker, keeps);

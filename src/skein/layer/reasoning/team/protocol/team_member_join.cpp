@@ -23,7 +23,7 @@ void TeamMember::step_joining() {
         config_.structure != TeamStructure::kFixedMaster || config_.fixed_master == id;
     if (contact.leads && now_ - contact.queried <= lost_ && may) {
       masters.push_back(id);
-      round_trip_ = std::max(round_trip_, contact.query.round_trip);
+      round_trip_ = std::max<double>(round_trip_, contact.query.round_trip);
     }
   }
   if (masters.empty() && joining_.proposed < 0) {
@@ -88,7 +88,8 @@ void TeamMember::on(EntityId from, const TeamPropose& propose) {
     return send_one(from, TeamReject{propose.exchange});
   double nearest = 0;
   for (const TeamTask& task : tasks) {
-    const double distance = (task.place - propose.resources.place).norm();
+    const double distance =
+        (task.place - geo::horizontal(propose.resources.place)).norm();
     nearest = &task == &tasks.front() ? distance : std::min(nearest, distance);
   }
   accepted_[from] = propose.exchange;

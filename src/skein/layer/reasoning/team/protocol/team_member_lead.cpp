@@ -313,8 +313,8 @@ void TeamMember::send_query() {
   query.members = static_cast<std::uint32_t>(members.size());
   query.members_hash = hash_of_members(members);
   query.state_number = knowledge_.number();
-  query.led = now_ - led_since_;
-  query.round_trip = round_trip_;
+  query.led = static_cast<float>(now_ - led_since_);
+  query.round_trip = static_cast<float>(round_trip_);
   query.successor = successor_;
   query.predecessor = predecessor_;
   send_all(query);

@@ -4,6 +4,7 @@
 
 #include "skein/base/random.h"
 #include "skein/geo/rotation.h"
+#include "skein/layer/reasoning/avoidance/meeting/test/straight_flight.h"
 #include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
 
@@ -11,14 +12,6 @@ namespace skein::reasoning::stranger_avoidance_test {
 namespace {
 
 using Action = StrangerAvoidance::Action;
-
-FlightPlan north() {
-  FlightElement e;
-  e.duration = 200;
-  e.airspeed = 20;
-  e.p_N = Vec3(0, 0, -100);
-  return {e};
-}
 
 // One that comes near before anything can be planned.
 Stranger near_by(RandomStream& random) {
@@ -44,7 +37,7 @@ TEST(StrangerAvoidance, APlanInsteadOfAHeadingKeepsAllThatIsToBeKept) {
     Stranger stranger = near_by(random);
     const PathQuery query;
     StrangerAvoidance avoidance(2);
-    FlightPlan plan = north();
+    FlightPlan plan = straight({0, 0, -100}, 0);
     Vec3 p_N = plan.front().p_N, v_N(20, 0, 0);
     bool turns = false;
     for (double now = 0; now < 40; ++now) {

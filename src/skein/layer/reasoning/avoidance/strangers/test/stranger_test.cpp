@@ -4,20 +4,13 @@
 
 #include <cmath>
 
+#include "skein/layer/reasoning/avoidance/meeting/test/straight_flight.h"
 #include "skein/layer/reasoning/avoidance/strangers/flight_around.h"
 #include "skein/layer/reasoning/planning/search/airspace_map.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning::stranger_test {
 namespace {
-
-FlightPlan north() {
-  FlightElement e;
-  e.duration = 200;
-  e.airspeed = 20;
-  e.p_N = Vec3(0, 0, -100);
-  return {e};
-}
 
 Stranger head_on() {
   Stranger stranger;
@@ -40,7 +33,7 @@ TEST(Stranger, ItsPlaceIsLessAndLessKnown) {
 }
 
 TEST(Stranger, AHeadOnIsPredictedWhereTheTwoMeet) {
-  const auto meeting = predicted_intersection(north(), head_on(), 0);
+  const auto meeting = predicted_intersection(straight({0, 0, -100}, 0), head_on(), 0);
   ASSERT_TRUE(meeting);
   EXPECT_NEAR(meeting->closest_time, 40, 1);
   EXPECT_LT(meeting->begin, 32);  // 610 m before at 60 m/s, and what is not known
@@ -50,21 +43,21 @@ TEST(Stranger, AHeadOnIsPredictedWhereTheTwoMeet) {
 TEST(Stranger, WhoPassesFarAwayIsNone) {
   Stranger stranger = head_on();
   stranger.p_N.y() = 3000;
-  EXPECT_FALSE(predicted_intersection(north(), stranger, 0));
+  EXPECT_FALSE(predicted_intersection(straight({0, 0, -100}, 0), stranger, 0));
   stranger = head_on();
   stranger.p_N.z() = -600;
-  EXPECT_FALSE(predicted_intersection(north(), stranger, 0));
+  EXPECT_FALSE(predicted_intersection(straight({0, 0, -100}, 0), stranger, 0));
 }
 
 // The room is blocked where the intersection is, and moves along.
 TEST(Stranger, TheRoomMovesWithIt) {
-  const auto meeting = predicted_intersection(north(), head_on(), 0);
+  const auto meeting = predicted_intersection(straight({0, 0, -100}, 0), head_on(), 0);
   Airspace airspace;
   airspace.movers.push_back(room_of(head_on(), *meeting));
   PathQuery query;
   query.airspace = &airspace;
   const planning::AirspaceMap map(query);
-  EXPECT_FALSE(map.is_free(north()));
+  EXPECT_FALSE(map.is_free(straight({0, 0, -100}, 0)));
   EXPECT_TRUE(map.conflict_at(Vec3(2400 - 40 * 35, 0, -100), 35));
   EXPECT_FALSE(map.conflict_at(Vec3(2400 - 40 * 35, 2000, -100), 35));
 }
@@ -75,7 +68,7 @@ TEST(Stranger, TheStaticRoomHoldsAllThatTheMovingOneSweeps) {
   Stranger stranger = head_on();
   stranger.v_N = Vec3(-30, 20, 1);
   stranger.p_N = Vec3(2000, -800, -130);
-  const auto meeting = predicted_intersection(north(), stranger, 0);
+  const auto meeting = predicted_intersection(straight({0, 0, -100}, 0), stranger, 0);
   ASSERT_TRUE(meeting);
   const Zone room = static_room_of(stranger, *meeting);
   for (const double time : {meeting->begin, meeting->closest_time,
@@ -103,7 +96,7 @@ TEST(Stranger, TheStaticRoomHoldsAllThatTheMovingOneSweeps) {
 
 // The flight around keeps out of the room of the kind that is asked for.
 TEST(Stranger, TheFlightAroundKeepsOutOfTheRoomThatIsChosen) {
-  const FlightPlan plan = north();
+  const FlightPlan plan = straight({0, 0, -100}, 0);
   std::vector<Stranger> strangers = {head_on()};
   strangers[0].p_N.x() = 3400;
   PathQuery query;

@@ -2,24 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "skein/layer/reasoning/team/onboard/task_needs.h"
+#include "skein/layer/reasoning/team/onboard/test/workers.h"
 
 namespace skein::reasoning::coalition_allocation_test {
 namespace {
-
-TeamWorker worker(std::uint32_t id, const Vec2& place, std::uint32_t sensors = 0) {
-  TeamWorker made;
-  made.id = EntityId{id};
-  made.resources.place = {place.x(), place.y(), -100};
-  made.resources.speed = 20;
-  made.resources.endurance = 3600;
-  made.resources.sensors = sensors;
-  return made;
-}
-
-TeamTask measure(std::uint32_t number, const Vec2& place) {
-  return team_task(number, Measure{place, 30}, 0, false);
-}
 
 FlightConditions in_wind(const Vec2& wind) {
   FlightConditions conditions;

@@ -5,27 +5,12 @@
 #include <set>
 
 #include "skein/base/random.h"
-#include "skein/layer/reasoning/team/onboard/task_needs.h"
+#include "skein/layer/reasoning/team/onboard/test/workers.h"
 
 namespace skein::reasoning::sequence_allocation_test {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
-
-TeamWorker worker(std::uint32_t id, const Vec2& place, std::uint32_t sensors = 0) {
-  TeamWorker made;
-  made.id = EntityId{id};
-  made.resources.place = {place.x(), place.y(), -100};
-  made.resources.speed = 20;
-  made.resources.endurance = 36000;
-  made.resources.sensors = sensors;
-  return made;
-}
-
-TeamTask measure(std::uint32_t number, const Vec2& place, double stay = 30,
-                 std::uint32_t sensors = 0) {
-  return team_task(number, Measure{place, stay}, sensors, false);
-}
 
 // The time until the last is done, of what is given; each task once.
 double last_end(const TeamAllocation& given, const std::vector<TeamTask>& tasks,

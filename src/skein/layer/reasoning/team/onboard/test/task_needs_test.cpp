@@ -60,7 +60,7 @@ TEST(TeamTask, CarriesWhatIsFlown) {
   EXPECT_EQ(task.number, 4u);
   EXPECT_EQ(task.sensors, kCameraSensor);
   EXPECT_FALSE(task.single);
-  EXPECT_EQ(task.place, Vec3(100, -200, 0));
+  EXPECT_EQ(task.place, Vec2(100, -200));
   const auto what = unpacked(task);
   ASSERT_TRUE(what);
   EXPECT_EQ(std::get<Measure>(*what).stay, 45);

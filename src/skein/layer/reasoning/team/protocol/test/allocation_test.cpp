@@ -8,7 +8,7 @@ namespace {
 TeamTask task(std::uint32_t number, double north, bool single = true) {
   TeamTask made;
   made.number = number;
-  made.place = {north, 0, 0};
+  made.place = {north, 0};
   made.single = single;
   return made;
 }

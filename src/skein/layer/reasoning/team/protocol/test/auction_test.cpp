@@ -12,12 +12,12 @@ TEST(Auction, EndsWithoutConflictAndGivesAllThatCanBeGiven) {
     const auto count = static_cast<std::uint32_t>(*rc::gen::inRange(1, 9));
     const auto bundle = static_cast<std::size_t>(*rc::gen::inRange(1, 4));
     const auto place = [] {
-      return Vec3(*rc::gen::inRange(0, 2000), *rc::gen::inRange(0, 2000), 0);
+      return Vec2(*rc::gen::inRange(0, 2000), *rc::gen::inRange(0, 2000));
     };
     std::vector<TeamTask> tasks(count);
     for (std::uint32_t k = 0; k < count; ++k) tasks[k] = {k + 1, place()};
     std::vector<TeamResources> resources(members);
-    for (TeamResources& one : resources) one.place = place();
+    for (TeamResources& one : resources) one.place.head<2>() = place();
     std::vector<Auction> auctions(members);
     // As many exchanges as there are tasks to be won, one after the other.
     for (std::uint32_t round = 0; round < members * count + 2; ++round) {
@@ -43,7 +43,7 @@ TEST(Auction, EndsWithoutConflictAndGivesAllThatCanBeGiven) {
 }
 
 TEST(Auction, DropsWhatTheLostHaveBid) {
-  const std::vector<TeamTask> tasks = {{1, {0, 0, 0}}};
+  const std::vector<TeamTask> tasks = {{1, {0, 0}}};
   Auction auction;
   auction.take({5}, {{"M"}, {{1, EntityId{2}, 1, 1}}});
   auction.bid({5}, {}, tasks, nearness, 1);
@@ -54,7 +54,7 @@ TEST(Auction, DropsWhatTheLostHaveBid) {
 }
 
 TEST(Auction, WhoBeganAnewOutdatesWhatItBidBefore) {
-  const std::vector<TeamTask> tasks = {{1, {0, 0, 0}}};
+  const std::vector<TeamTask> tasks = {{1, {0, 0}}};
   Auction other, anew;
   other.take({5}, {{"M"}, {{9, EntityId{2}, 1, 7}}});
   anew.bid({2}, {}, tasks, nearness, 1);

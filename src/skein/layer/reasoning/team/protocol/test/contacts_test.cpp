@@ -10,7 +10,7 @@ namespace {
 constexpr EntityId kSelf{1}, kOther{2};
 constexpr double kLost = 4;
 
-TeamMessage inform(std::uint32_t number, double speed = 20) {
+TeamMessage inform(std::uint32_t number, float speed = 20) {
   TeamInform said;
   said.mission = TeamMission{"M"};
   said.resources.speed = speed;
@@ -74,7 +74,7 @@ TEST(TeamContacts, RefusesWhatNoMemberSays) {
   EXPECT_EQ(heard.take(other_version), TeamVerdict::kOtherVersion);
   EXPECT_EQ(heard.contacts.take(kSelf, true, inform(1), 0, kLost), TeamVerdict::kOwnId);
   EXPECT_EQ(heard.take(inform(1, -1)), TeamVerdict::kImplausible);
-  EXPECT_EQ(heard.take(inform(1, std::numeric_limits<double>::quiet_NaN())),
+  EXPECT_EQ(heard.take(inform(1, std::numeric_limits<float>::quiet_NaN())),
             TeamVerdict::kImplausible);
   TeamState state;
   state.part = 3;
