@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
+#include "skein/base/output_file.h"
 #include "skein/exchange/detection_tables.h"
 #include "skein/exchange/well_clear_json.h"
 
@@ -80,10 +81,10 @@ Result<void> write_answers(const AvoidDetectArguments& given,
       tables.add_alerts(encounter, out);
     if (with_bands) tables.add_bands(encounter, bands, guidance);
   }
-  if (auto good = write_text(given.out, out); !good) return good;
+  if (auto good = write_file(given.out, out); !good) return good;
   if (!given.bands.empty())
-    if (auto good = write_text(given.bands, bands); !good) return good;
-  if (!given.guidance.empty()) return write_text(given.guidance, guidance);
+    if (auto good = write_file(given.bands, bands); !good) return good;
+  if (!given.guidance.empty()) return write_file(given.guidance, guidance);
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
+#include "skein/base/output_file.h"
 #include "skein/layer/reasoning/avoidance/negotiation/negotiation_batch.h"
 
 namespace skein::app {
@@ -33,7 +34,7 @@ int negotiate_command(const NegotiateArguments& arguments) {
     put_out(csv);
     return kDone;
   }
-  if (auto good = write_text(arguments.out, csv); !good) return say_error(good.error());
+  if (auto good = write_file(arguments.out, csv); !good) return say_error(good.error());
   return kDone;
 }
 

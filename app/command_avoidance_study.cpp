@@ -15,6 +15,7 @@
 #include "app/version.h"
 #include "skein/assemble/run.h"
 #include "skein/base/math.h"
+#include "skein/base/output_file.h"
 #include "skein/campaign/avoidance_study.h"
 #include "skein/campaign/avoidance_watch.h"
 #include "skein/record/fan_out.h"
@@ -83,7 +84,7 @@ Result<std::unique_ptr<record::RunRecorder>> open_records(const campaign::BatchI
       folder, {kVersion, scenario.seed, scenario.name, item.text, scenario.start_utc},
       options);
   if (!created) return created;
-  if (auto written = write_text(folder / "scenario.yaml", item.text); !written)
+  if (auto written = write_file(folder / "scenario.yaml", item.text); !written)
     return written.error();
   return created;
 }
@@ -192,7 +193,7 @@ int avoidance_study(const StudyArguments& arguments, const assemble::KindRegistr
   const std::string csv =
       campaign::avoidance_csv(study.value(), plan.value(), outcomes.value());
   const fs::path to = file ? folder : folder / "avoidance.csv";
-  if (auto written = write_text(to, csv); !written) return say_error(written.error());
+  if (auto written = write_file(to, csv); !written) return say_error(written.error());
   print_table(campaign::avoidance_table(plan.value(), outcomes.value()));
   print("\n{}\n", to.string());
   return stop ? kInterrupted : failed ? kFailed : kDone;

@@ -5,6 +5,7 @@
 #include "app/output.h"
 #include "app/study_parts.h"
 #include "skein/base/log.h"
+#include "skein/base/output_file.h"
 #include "skein/campaign/campaign.h"
 #include "skein/campaign/campaign_file.h"
 
@@ -28,11 +29,13 @@ campaign::CampaignOptions options_of(const CampaignArguments& arguments) {
 // Each with all keys, as FOLDER/scenarios/NUMBER-VARIANT-VARIANT-SEED.yaml, numbered as
 // the rows of runs.csv.
 Result<void> write_scenarios(const campaign::StudyPlan& plan, const fs::path& folder) {
-  if (auto made = make_folder(folder / "scenarios"); !made) return made.error();
+  if (auto made = make_folder(folder); !made) return made.error();
+  std::error_code error;  // is said when the first is written
+  fs::create_directory(folder / "scenarios", error);
   for (std::size_t k = 0; k < plan.items.size(); ++k) {
     const campaign::BatchItem& item = plan.items[k];
     const std::string name = fmt::format("{:04}-{}.yaml", k + 1, folder_name(item.name));
-    if (auto written = write_text(folder / "scenarios" / name, item.text); !written)
+    if (auto written = write_file(folder / "scenarios" / name, item.text); !written)
       return written.error();
   }
   return {};

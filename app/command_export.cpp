@@ -117,6 +117,7 @@ Result<bool> export_once(const ExportArguments& arguments, const geo::LocalFrame
 }  // namespace
 
 int export_command(const ExportArguments& arguments, const std::atomic<bool>& stop) {
+  if (auto good = check_run_folder(arguments.run); !good) return say_error(good.error());
   assemble::KindRegistry kinds;
   const auto scenario = load_scenario(arguments.run / "scenario.yaml", {}, {}, kinds);
   if (!scenario) return kBadUsage;

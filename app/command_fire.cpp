@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
 #include "skein/assemble/recorded_scenario.h"
+#include "skein/base/output_file.h"
 #include "skein/exchange/gis_writing.h"
 #include "skein/scenario/utc.h"
 
@@ -66,11 +66,8 @@ Result<void> write_perimeters(const RecordedFireSummary& fire,
 
 Result<void> write_scenario(const assemble::RecordedScenario& recorded,
                             const std::filesystem::path& file) {
-  std::ofstream out(file);
-  out << assemble::recorded_scenario_text(recorded, file.stem().string());
-  out.flush();
-  if (out) return {};
-  return Error{ErrorCode::kUnavailable, file.string(), "cannot be written.", ""};
+  return write_file(file,
+                    assemble::recorded_scenario_text(recorded, file.stem().string()));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "app/output.h"
 #include "skein/assemble/aircraft/aircraft_file.h"
 #include "skein/assemble/aircraft/flight_table.h"
+#include "skein/base/output_file.h"
 #include "skein/layer/asset/fixed_wing/open_loop.h"
 
 namespace skein::app {
@@ -100,32 +101,27 @@ bool is_finite(const asset::OpenLoopOutput& out) {
 // Where rows go: a file, or standard output.
 class RowSink {
  public:
-  explicit RowSink(const std::string& path) : path_(path) {
-    if (!to_standard_output()) file_.open(path, std::ios::binary);
+  /// @param path  - = standard output.
+  Result<void> open(const std::string& path) {
+    if (path == "-") return {};
+    auto opened = OutputStream::open(path);
+    if (!opened) return opened.error();
+    file_ = std::move(opened).value();
+    return {};
   }
 
   Result<void> put(std::string_view text) {
-    if (to_standard_output())
+    if (!file_.is_open()) {
       put_out(text);
-    else
-      file_.write(text.data(), static_cast<std::streamsize>(text.size()));
-    return state();
+      return {};
+    }
+    file_.write(text);
+    return file_.flush();
   }
-  Result<void> close() {
-    if (!to_standard_output()) file_.close();
-    return state();
-  }
+  Result<void> close() { return file_.flush(); }
 
  private:
-  bool to_standard_output() const { return path_ == "-"; }
-  Result<void> state() const {
-    if (to_standard_output() || file_.good()) return {};
-    return Error{ErrorCode::kUnavailable, path_, "cannot be written.",
-                 "Is the folder there and writable, the disk full?"};
-  }
-
-  std::string path_;
-  std::ofstream file_;
+  OutputStream file_;  // closed: standard output
 };
 
 // Flies a table from row to row. Rows are held in parts, so a table may be of any length.
@@ -254,7 +250,9 @@ int fly_command(const FlyArguments& arguments, const std::atomic<bool>& stop) {
   }
   FlightTableReader table(standard_input ? std::cin : file,
                           standard_input ? "standard input" : arguments.input);
-  RowSink sink(arguments.output);
+  RowSink sink;
+  if (auto opened = sink.open(arguments.output); !opened)
+    return say_error(opened.error());
   asset::OpenLoopOptions options;
   options.longest_step = arguments.step;
   if (arguments.planet_radius > 0) options.planet_radius = arguments.planet_radius;

@@ -49,7 +49,8 @@ Result<void> open_all(const LinkArguments& arguments, Forwarder& forwarder) {
       return opened.error();
   }
   if (arguments.tlog.empty()) return {};
-  if (std::filesystem::exists(arguments.tlog) && !arguments.overwrite)
+  // A pipe or a device takes it as it comes.
+  if (std::filesystem::is_regular_file(arguments.tlog) && !arguments.overwrite)
     return Error{ErrorCode::kBadInput, arguments.tlog.string(), "exists already.",
                  "Give another name, or --overwrite."};
   auto tlog = mavlink::TlogWriter::create(arguments.tlog);

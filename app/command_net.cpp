@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <ctime>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "app/number_range.h"
 #include "app/output.h"
 #include "skein/assemble/radio/radio_file.h"
+#include "skein/base/output_file.h"
 #include "skein/exchange/network_results.h"
 #include "skein/exchange/network_tables.h"
 #include "skein/layer/communication/experiment/network_run.h"
@@ -138,12 +138,13 @@ int net_command(const NetArguments& given, const std::atomic<bool>& stop) {
   for (const std::string& file : {given.out, given.report})
     if (!file.empty())
       if (auto good = check_writable(file); !good) return say_error(good.error());
-  std::ofstream trace;
+  OutputStream trace;
   if (!given.trace.empty()) {
-    trace.open(given.trace, std::ios::binary);
-    trace << exchange::network_trace_header();
-    if (!trace)
-      return say_error({ErrorCode::kUnavailable, given.trace, "cannot be written.", ""});
+    auto opened = OutputStream::open(given.trace);
+    if (!opened) return say_error(opened.error());
+    trace = std::move(opened).value();
+    trace.write(exchange::network_trace_header());
+    if (auto good = trace.flush(); !good) return say_error(good.error());
   }
   const std::clock_t began = std::clock();
   communication::NodeAntennas antennas;
@@ -152,7 +153,7 @@ int net_command(const NetArguments& given, const std::atomic<bool>& stop) {
                                 given.seed, std::move(antennas));
   if (trace.is_open())
     run.on_transmission = [&](const TransmissionRecord& transmission) {
-      trace << exchange::network_trace_row(network, transmission);
+      trace.write(exchange::network_trace_row(network, transmission));
     };
   run_to_end(run, network, stop);
   const double cpu =
@@ -160,18 +161,16 @@ int net_command(const NetArguments& given, const std::atomic<bool>& stop) {
   const bool whole = run.done();
   if (!whole) network.duration = run.now();
 
-  trace.flush();
-  if (trace.is_open() && !trace)
-    return say_error({ErrorCode::kUnavailable, given.trace, "cannot be written.", ""});
+  if (auto good = trace.flush(); !good) return say_error(good.error());
   const NetworkResult& result = run.result();
-  if (auto good = write_text(given.out, exchange::network_messages_csv(network, result));
+  if (auto good = write_file(given.out, exchange::network_messages_csv(network, result));
       !good)
     return say_error(good.error());
   if (!given.report.empty()) {
     const std::string title =
         fmt::format("{} nodes, radio {}", network.nodes.size(), radio.value().name);
     if (auto good =
-            write_text(given.report, exchange::network_page(title, network, result));
+            write_file(given.report, exchange::network_page(title, network, result));
         !good)
       return say_error(good.error());
   }

@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <string_view>
 
@@ -14,6 +13,7 @@
 #include "app/common.h"
 #include "app/output.h"
 #include "app/plan_arguments.h"
+#include "skein/base/output_file.h"
 #include "skein/exchange/connection_batch.h"
 
 namespace skein::app {
@@ -68,29 +68,23 @@ class Output {
   Result<void> open_file(const std::string& name) {
     name_ = name;
     if (name == "-") return {};
-    file_.open(name, std::ios::binary);
-    return state();
+    auto opened = OutputStream::open(name);
+    if (!opened) return opened.error();
+    file_ = std::move(opened).value();
+    return {};
   }
   // Answers leave as soon as they are there: in a pipe somebody waits for them.
   Result<bool> put(std::string_view text) {
     if (name_ == "-") return put_out_now(text);
-    file_.write(text.data(), static_cast<std::streamsize>(text.size()));
-    if (auto good = state(); !good) return good.error();
+    file_.write(text);
+    if (auto good = file_.flush(); !good) return good.error();
     return true;
   }
-  Result<void> close() {
-    if (name_ != "-") file_.close();
-    return state();
-  }
+  Result<void> close() { return file_.flush(); }
 
  private:
-  Result<void> state() const {
-    if (name_ == "-" || file_.good()) return {};
-    return Error{ErrorCode::kUnavailable, name_, "cannot be written.",
-                 "Is the folder there and writable, the disk full?"};
-  }
   std::string name_ = "-";
-  std::ofstream file_;
+  OutputStream file_;
 };
 
 // Answers all rows; false when it was stopped or nobody reads the answers any more.

@@ -25,6 +25,7 @@ struct ReplayArguments {
 };
 
 int replay_command(const ReplayArguments& arguments, const std::atomic<bool>& stop) {
+  if (auto good = check_run_folder(arguments.run); !good) return say_error(good.error());
   auto recorded = record::RecordStream::open(arguments.run);
   if (!recorded) return say_error(recorded.error());
   auto kinds = load_kinds(arguments.plugins);

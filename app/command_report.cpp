@@ -8,6 +8,8 @@ namespace skein::app {
 
 int report_command(const std::vector<std::filesystem::path>& runs,
                    const std::filesystem::path& out) {
+  for (const std::filesystem::path& run : runs)
+    if (auto good = check_records(run); !good) return say_error(good.error());
   const std::filesystem::path page = out.empty() ? runs.front() / "report.html" : out;
   if (auto written = record::write_report(runs, page, assemble::report_map); !written)
     return say_error(written.error());

@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <thread>
@@ -16,6 +17,7 @@
 #include "skein/assemble/serve/pack_run.h"
 #include "skein/assemble/serve/run_page.h"
 #include "skein/base/log.h"
+#include "skein/base/output_file.h"
 #include "skein/layer/hmi/terminal_console.h"
 #include "skein/link/modem/modem_link.h"
 #include "skein/link/vehicle_links/vehicle_feed.h"
@@ -44,12 +46,14 @@ std::optional<double> parse_speed(const std::string& text) {
   return factor;
 }
 
-// The first of runs/NAME, runs/NAME-2, ... that does not exist.
+// The first of runs/NAME, runs/NAME-2, ... that does not exist; made, so that nobody else
+// takes it.
 fs::path free_folder(const std::string& name) {
   const fs::path base = fs::path("runs") / folder_name(name);
   fs::path folder = base;
-  std::error_code error;  // a place that cannot be looked at fails when it is written
-  for (int k = 2; fs::exists(folder, error); ++k)
+  std::error_code error;  // a place that cannot be made fails when it is written
+  fs::create_directories(base.parent_path(), error);
+  for (int k = 2; !fs::create_directory(folder, error) && !error; ++k)
     folder = base.string() + fmt::format("-{}", k);
   return folder;
 }
@@ -119,6 +123,11 @@ std::optional<RunOrder> order_of(const RunArguments& arguments) {
     complain("which scenario? Give a scenario file, or --replay FOLDER.\n");
     return std::nullopt;
   }
+  if (again)
+    if (auto good = check_run_folder(arguments.replay); !good) {
+      say_error(good.error());
+      return std::nullopt;
+    }
   auto kinds = load_kinds(arguments.plugins);
   if (!kinds) return std::nullopt;
   auto scenario = load_scenario(
@@ -137,10 +146,12 @@ std::optional<RunOrder> order_of(const RunArguments& arguments) {
 }
 
 // The commands of a recorded run in place of the scenario's, which are among them.
+// One that was interrupted ends where it did, which is not behind the scenario's end.
 void replay(const record::RecordedRun& recorded, simulation::RunOptions& options) {
   options.commands = recorded.commands;
   options.clock_by_command = false;
-  if (recorded.interrupted) options.duration = *recorded.interrupted;
+  if (recorded.interrupted)
+    options.duration = std::min(options.duration, *recorded.interrupted);
 }
 
 Result<std::unique_ptr<record::RunRecorder>> open_records(
@@ -158,7 +169,7 @@ Result<std::unique_ptr<record::RunRecorder>> open_records(
       folder, {kVersion, scenario.seed, scenario.name, text, scenario.start_utc},
       options);
   if (!created) return created;
-  if (auto written = write_text(folder / "scenario.yaml", text); !written)
+  if (auto written = write_file(folder / "scenario.yaml", text); !written)
     return written.error();
   return created;
 }

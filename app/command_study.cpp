@@ -15,6 +15,7 @@
 #include "skein/assemble/recorded_scenario.h"
 #include "skein/assemble/run.h"
 #include "skein/base/log.h"
+#include "skein/base/output_file.h"
 #include "skein/campaign/bridge_study.h"
 #include "skein/campaign/estimators_csv.h"
 #include "skein/campaign/estimators_report.h"
@@ -55,7 +56,7 @@ int estimators(const fs::path& folder) {
   for (const campaign::CurveTable& table : tables) {
     std::ostringstream csv;
     campaign::write_csv(table, csv);
-    if (auto written = write_text(folder / (table.name + ".csv"), csv.str()); !written)
+    if (auto written = write_file(folder / (table.name + ".csv"), csv.str()); !written)
       return say_error(written.error());
   }
   if (auto written = record::write_study_report(

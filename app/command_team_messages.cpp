@@ -8,6 +8,7 @@
 #include "app/common.h"
 #include "app/output.h"
 #include "app/team_commands.h"
+#include "skein/base/output_file.h"
 #include "skein/record/message_load.h"
 
 namespace skein::app {
@@ -51,6 +52,12 @@ int messages_command(const MessagesArguments& given) {
   }
   const auto run = record::read_sent_messages(given.run);
   if (!run) return say_error(run.error());
+  constexpr double kMaxPhases = 10'000;
+  if (given.every > 0 && run.value().duration / given.every > kMaxPhases)
+    return say_error({ErrorCode::kBadInput, "--every",
+                      fmt::format("{:g} s make more than {:g} phases of a run of {:g} s.",
+                                  given.every, kMaxPhases, run.value().duration),
+                      "Give longer phases."});
   if (given.every > 0)
     for (double from = 0; from < run.value().duration; from += given.every)
       starts.emplace_back(fmt::format("{:g} s", from), from);
@@ -59,7 +66,7 @@ int messages_command(const MessagesArguments& given) {
   record::MessageLoad load(std::move(phases).value(), given.header);
   for (const record::SentMessage& message : run.value().messages) load.add(message);
   if (!given.out.empty())
-    if (auto good = write_text(given.out, record::message_load_csv(load, run.value()));
+    if (auto good = write_file(given.out, record::message_load_csv(load, run.value()));
         !good)
       return say_error(good.error());
   print("{}", record::message_load_text(load, run.value()));

@@ -11,6 +11,7 @@
 #include "app/number_range.h"
 #include "app/output.h"
 #include "app/team_commands.h"
+#include "skein/base/output_file.h"
 #include "skein/layer/reasoning/team/rehearsal/expected_teams.h"
 #include "skein/layer/reasoning/team/rehearsal/rehearsal.h"
 
@@ -117,7 +118,7 @@ int rehearse_command(const RehearseArguments& given, const std::atomic<bool>& st
     totals.add(script, reasoning::rehearse(script, options, keep), allowed);
   }
   if (!given.out.empty())
-    if (auto good = write_text(given.out, rows); !good) return say_error(good.error());
+    if (auto good = write_file(given.out, rows); !good) return say_error(good.error());
   print_totals(totals, allowed);
   return kDone;
 }

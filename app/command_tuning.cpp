@@ -12,6 +12,7 @@
 #include "skein/assemble/run.h"
 #include "skein/assemble/tuning_gains.h"
 #include "skein/base/log.h"
+#include "skein/base/output_file.h"
 #include "skein/campaign/tuning_report.h"
 #include "skein/scenario/scenario_file.h"
 
@@ -146,7 +147,7 @@ class Tuning {
                    found_.error.empty() ? "no gains have been flown." : found_.error, ""};
     const LapGains best =
         with_values(base_, assemble::tuning_knobs(base_), found_.search.best.at);
-    if (auto written = write_text(folder_ / "gains.yaml", gains_file(best, found_));
+    if (auto written = write_file(folder_ / "gains.yaml", gains_file(best, found_));
         !written)
       return written.error();
     study_.sets = {{"default", assemble::lap_gains_text(base_)},
@@ -194,7 +195,7 @@ class Tuning {
                       found_.search.tries.size(), arguments_.search);
     failed_ = report_failures(plan_.items, outcomes_, folder_) || !found_.error.empty();
     if (!found_.error.empty()) complain("search: {}\n", found_.error);
-    if (auto written = write_text(folder_ / "runs.csv",
+    if (auto written = write_file(folder_ / "runs.csv",
                                   campaign::tuning_csv(study_, plan_, outcomes_));
         !written)
       return written;

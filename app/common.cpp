@@ -8,6 +8,7 @@
 #include "app/output.h"
 #include "skein/assemble/aircraft/aircraft_file.h"
 #include "skein/assemble/load_plugin.h"
+#include "skein/record/store_check.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
@@ -56,6 +57,22 @@ Result<asset::FixedWingParameters> load_fixed_wing(const std::string& aircraft) 
                "skein fly takes fixed wings; see skein list aircraft."};
 }
 
+Result<void> check_records(const std::filesystem::path& run) {
+  std::error_code none;
+  if (std::filesystem::exists(run / "run.sqlite", none)) return {};
+  return record::state_of_run(
+      run, {ErrorCode::kNotFound, (run / "run.sqlite").string(),
+            "there is no such database.", "Give the folder of a run."});
+}
+
+Result<void> check_run_folder(const std::filesystem::path& run) {
+  if (auto records = check_records(run); !records) return records;
+  std::error_code none;
+  if (std::filesystem::exists(run / "scenario.yaml", none)) return {};
+  return record::state_of_run(run, {ErrorCode::kNotFound, run.string(), "holds no run.",
+                                    "Give the folder of a run."});
+}
+
 std::string folder_name(const std::string& name) {
   constexpr std::size_t kLongest = 100;  // characters; file systems allow 255 bytes
   std::string safe;
@@ -72,40 +89,14 @@ std::string folder_name(const std::string& name) {
 }
 
 int say_error(const Error& error) {
+  if (error.code == ErrorCode::kInterrupted) {
+    complain("{}\n", error.text());
+    return kInterrupted;
+  }
   complain("error: {}\n", error.text());
   const bool usage =
       error.code == ErrorCode::kBadInput || error.code == ErrorCode::kNotFound;
   return usage ? kBadUsage : kFailed;
-}
-
-namespace {
-
-Error not_writable(const std::filesystem::path& file) {
-  return {ErrorCode::kUnavailable, file.string(), "cannot be written.",
-          "Is the folder writable, the disk full?"};
-}
-
-}  // namespace
-
-Result<void> check_writable(const std::filesystem::path& file) {
-  const std::filesystem::path part = file.string() + ".part";
-  std::error_code ignored;
-  const bool good = !std::filesystem::is_directory(file, ignored) &&
-                    std::ofstream(part, std::ios::binary | std::ios::app).good();
-  if (!good) return not_writable(file);
-  std::filesystem::remove(part, ignored);
-  return {};
-}
-
-Result<void> write_text(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path part = file.string() + ".part";
-  std::ofstream out(part, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code error;
-  if (out.good()) std::filesystem::rename(part, file, error);
-  if (!out.good() || error) return not_writable(file);
-  return {};
 }
 
 Result<void> read_text(const std::filesystem::path& file, std::string& text) {

@@ -24,9 +24,10 @@ std::optional<scenario::Scenario> load_scenario(const std::filesystem::path& fil
                                                 const std::vector<std::string>& plugins,
                                                 assemble::KindRegistry& kinds);
 
-/// Whether write_text() can write there, before the work whose result it is.
-/// Fails: kUnavailable; as write_text.
-Result<void> check_writable(const std::filesystem::path& file);
+/// Whether a folder has what a run leaves before its first step: records, and beside them
+/// their scenario. Fails: kNotFound; what the folder is, and what can be done.
+Result<void> check_records(const std::filesystem::path& run);
+Result<void> check_run_folder(const std::filesystem::path& run);
 
 /// The parameters of a fixed wing, built in or in a file relative to the working folder.
 /// Fails: as assemble::load_aircraft; an aircraft of another kind.
@@ -36,11 +37,10 @@ Result<asset::FixedWingParameters> load_fixed_wing(const std::string& aircraft);
 /// anything else becomes -; it neither begins with a dot nor is empty ("run").
 std::string folder_name(const std::string& name);
 
-/// Says an error on standard error; returns the exit status for it: bad input or failure.
+/// Says an error on standard error; returns the exit status for it: bad input, failure,
+/// or that it was interrupted.
 int say_error(const Error& error);
 
-/// Writes a small file; it appears whole or not at all.
-Result<void> write_text(const std::filesystem::path& file, const std::string& text);
 Result<void> read_text(const std::filesystem::path& file, std::string& text);
 
 }  // namespace skein::app

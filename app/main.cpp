@@ -20,6 +20,7 @@
 #include "app/team_commands.h"
 #include "app/version.h"
 #include "skein/base/result.h"
+#include "skein/record/sqlite.h"
 
 namespace skein::app {
 namespace {
@@ -534,6 +535,7 @@ int run_program(int argc, char** argv) {
 
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  record::stop_reading_when(&stop_requested);
   if (plan.chosen()) return plan.run(stop_requested);
   for (const Command& command : commands)
     if (*command.app) return command.run();

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/common.h"
 #include "app/output.h"
+#include "skein/base/output_file.h"
 #include "skein/exchange/formats.h"
 #include "skein/exchange/samples.h"
 #include "skein/exchange/text_shown.h"
@@ -143,7 +144,7 @@ int put_plan(const exchange::Document& document, const Json& about,
       error.place = file.string();
       return say_error(error);
     }
-    if (auto good = write_text(file, text.value()); !good) return say_error(good.error());
+    if (auto good = write_file(file, text.value()); !good) return say_error(good.error());
   }
   if (!output.json) {
     print_document(document);

@@ -28,10 +28,6 @@ std::string csv_rows(double time, const relay::SessionReport& session) {
   return rows;
 }
 
-Error cannot_write(const std::filesystem::path& file) {
-  return {ErrorCode::kUnavailable, file.string(), "cannot be written.", ""};
-}
-
 }  // namespace
 
 std::string relay_table(const relay::RelayReport& report) {
@@ -60,26 +56,24 @@ std::string relay_table(const relay::RelayReport& report) {
 }
 
 Result<void> RelayStatisticsFile::open(const std::filesystem::path& file) {
-  file_ = file;
-  out_.open(file, std::ios::binary);
-  out_ << "time_s,session,client,direction,packets_in,bytes_in,packets_out,bytes_out,"
-          "lost,queue_full,outage,duplicated,reordered,delay_mean_s,delay_max_s,"
-          "waiting_packets,waiting_bytes,under_way,refused,unsent\n";
-  out_.flush();
-  if (!out_) return cannot_write(file);
-  return {};
+  auto opened = OutputStream::open(file);
+  if (!opened) return opened.error();
+  out_ = std::move(opened).value();
+  out_.write(
+      "time_s,session,client,direction,packets_in,bytes_in,packets_out,bytes_out,"
+      "lost,queue_full,outage,duplicated,reordered,delay_mean_s,delay_max_s,"
+      "waiting_packets,waiting_bytes,under_way,refused,unsent\n");
+  return out_.flush();
 }
 
 Result<void> RelayStatisticsFile::write(relay::Relay& relay) {
   if (!out_.is_open()) return {};
   const double time = relay.now().seconds();
   for (const relay::SessionReport& session : relay.take_ended())
-    out_ << csv_rows(time, session);
+    out_.write(csv_rows(time, session));
   for (const relay::SessionReport& session : relay.sessions())
-    out_ << csv_rows(time, session);
-  out_.flush();
-  if (!out_) return cannot_write(file_);
-  return {};
+    out_.write(csv_rows(time, session));
+  return out_.flush();
 }
 
 }  // namespace skein::app

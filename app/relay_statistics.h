@@ -1,9 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 
+#include "skein/base/output_file.h"
 #include "skein/base/result.h"
 #include "skein/link/relay/relay.h"
 
@@ -23,8 +23,7 @@ class RelayStatisticsFile {
   Result<void> write(skein::relay::Relay& relay);
 
  private:
-  std::filesystem::path file_;
-  std::ofstream out_;
+  OutputStream out_;
 };
 
 }  // namespace skein::app

@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "app/common.h"
 #include "app/output.h"
 #include "app/version.h"
 #include "skein/assemble/run.h"
+#include "skein/base/folder_lock.h"
 #include "skein/base/log.h"
+#include "skein/base/output_file.h"
 #include "skein/campaign/monitoring_report.h"
 #include "skein/campaign/study_summary.h"
 
@@ -29,12 +33,28 @@ fs::path shipped_scenario(const std::string& name) {
   return program.parent_path().parent_path().parent_path() / "scenarios" / name;
 }
 
+namespace {
+
+// That this program writes into until it ends.
+std::map<fs::path, FolderLock>& own_folders() {
+  static std::map<fs::path, FolderLock> folders;
+  return folders;
+}
+
+}  // namespace
+
 Result<void> make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!error) return {};
-  return Error{ErrorCode::kUnavailable, folder.string(),
-               "cannot be made: " + error.message() + ".", ""};
+  if (error)
+    return Error{ErrorCode::kUnavailable, folder.string(),
+                 "cannot be made: " + error.message() + ".", ""};
+  const fs::path whole = fs::weakly_canonical(folder, error);
+  if (own_folders().contains(whole)) return {};
+  auto lock = FolderLock::take(folder, "a study or campaign");
+  if (!lock) return lock.error();
+  own_folders().emplace(whole, std::move(lock).value());
+  return {};
 }
 
 namespace {
@@ -73,7 +93,7 @@ bool report_failures(const std::vector<campaign::BatchItem>& items,
       failed = true;
       const fs::path replay = folder / ("failed-" + folder_name(items[i].name) + ".yaml");
       complain("{}: {}\n", items[i].name, outcomes[i].error);
-      if (!items[i].text.empty() && write_text(replay, items[i].text))
+      if (!items[i].text.empty() && write_file(replay, items[i].text))
         complain("Replay: skein run {}\n", replay.string());
     }
   return failed;
@@ -116,7 +136,7 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
   campaign::StudyFigures figures = campaign::study_figures(plan, outcomes);
   figures.insert(more.begin(), more.end());
   const bool failed = report_failures(plan.items, outcomes, folder);
-  if (auto written = write_text(folder / "runs.csv", campaign::runs_csv(plan, outcomes));
+  if (auto written = write_file(folder / "runs.csv", campaign::runs_csv(plan, outcomes));
       !written)
     return say_error(written.error());
   if (auto written = record::write_study_report(report, folder / "report.html"); !written)

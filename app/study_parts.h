@@ -33,6 +33,9 @@ void take_arguments(const StudyArguments& arguments, const char* scenario, Study
 }
 
 /// Made when there is something to put into it: what is refused leaves nothing behind.
+/// Until it ends, this program is the only one that writes there.
+/// Fails: kUnavailable when it cannot be made; kBadInput when another program writes
+/// there.
 Result<void> make_folder(const std::filesystem::path& folder);
 
 /// On standard output, in columns.

@@ -9,6 +9,7 @@
 #include "app/number_range.h"
 #include "app/output.h"
 #include "app/team_commands.h"
+#include "skein/base/output_file.h"
 
 namespace skein::app {
 namespace {
@@ -98,7 +99,7 @@ int answer_batch(const TeamBatchArguments& given, std::size_t count,
   if (given.out == "-") {
     put_out(table);
   } else {
-    if (auto written = write_text(given.out, table); !written)
+    if (auto written = write_file(given.out, table); !written)
       return say_error(written.error());
     print("Written: {}: {} problems, {} of them proven.\n", given.out.string(), count,
           proven);

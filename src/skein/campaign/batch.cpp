@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <istream>
 #include <map>
 #include <mutex>
 #include <new>
@@ -37,15 +39,43 @@ std::string to_line(const BatchItem& item, const std::string& print,
   line["content_hash"] = summary.content_hash;
   line["numbers"] = summary.numbers;
   line["warnings"] = summary.warnings;
-  return line.dump();
+  return line.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-// Results of earlier runs, by fingerprint. A line that was cut off by a kill is skipped.
-std::map<std::string, record::RunSummary> read_journal(
-    const std::filesystem::path& file) {
-  std::map<std::string, record::RunSummary> found;
-  std::ifstream in(file);
-  for (std::string text; std::getline(in, text);) {
+constexpr std::size_t kLongestLine = 4 << 20;  // of a journal [bytes]
+
+// The next line, or as much of it as a journal has; false at the end.
+bool next_line(std::istream& in, std::string& line) {
+  line.clear();
+  for (char c = 0; in.get(c);) {
+    if (c == '\n') return true;
+    if (line.size() <= kLongestLine) line += c;
+  }
+  return !line.empty();
+}
+
+struct Journal {
+  std::map<std::string, record::RunSummary> found;  // by fingerprint
+  int damaged = 0;                                  // lines, without the last
+  bool ends_with_line = true;
+};
+
+// Results of earlier runs. A line that was cut off by a kill is skipped.
+Result<Journal> read_journal(const std::filesystem::path& file) {
+  Journal journal;
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) return journal;
+  if (!std::filesystem::is_regular_file(file, none))
+    return Error{ErrorCode::kBadInput, file.string(), "is no regular file.",
+                 "Choose another folder."};
+  auto& found = journal.found;
+  std::ifstream in(file, std::ios::binary);
+  bool last_was_good = true;
+  for (std::string text; next_line(in, text);) {
+    journal.damaged += last_was_good ? 0 : 1;
+    last_was_good = false;
+    journal.ends_with_line = !in.eof();
+    if (text.size() > kLongestLine) continue;
     const json line = json::parse(text, nullptr, false);
     if (line.is_discarded() || !line.is_object()) continue;
     try {
@@ -56,12 +86,22 @@ std::map<std::string, record::RunSummary> read_journal(
       summary.content_hash = line.at("content_hash");
       summary.numbers = line.at("numbers").get<std::map<std::string, double>>();
       summary.warnings = line.at("warnings").get<std::vector<std::string>>();
+      const bool finite = std::ranges::all_of(summary.numbers, [](const auto& figure) {
+        return std::isfinite(figure.second);
+      });
+      if (!finite) continue;
       found[line.at("fingerprint")] = std::move(summary);
+      last_was_good = true;
     } catch (const json::exception&) {
       continue;  // not a line of ours
     }
   }
-  return found;
+  // Without an end the last was cut off by a kill.
+  if (!last_was_good && journal.ends_with_line) ++journal.damaged;
+  if (journal.damaged > 0)
+    log_warning("{}: {} lines are not those of a run; what they said is computed again.",
+                file.string(), journal.damaged);
+  return journal;
 }
 
 BatchOutcome run_one(const BatchItem& item, const RunScenario& run) {
@@ -97,7 +137,9 @@ Result<std::vector<BatchOutcome>> run_batch(std::span<const BatchItem> items,
   std::vector<BatchOutcome> outcomes(items.size());
   std::vector<std::size_t> open;
   std::vector<std::string> prints;
-  const auto earlier = read_journal(options.journal);
+  const auto journal_read = read_journal(options.journal);
+  if (!journal_read) return journal_read.error();
+  const auto& earlier = journal_read.value().found;
   for (std::size_t i = 0; i < items.size(); ++i) {
     prints.push_back(fingerprint(items[i], options.program));
     if (const auto found = earlier.find(prints[i]); found != earlier.end())
@@ -107,6 +149,8 @@ Result<std::vector<BatchOutcome>> run_batch(std::span<const BatchItem> items,
   }
 
   std::ofstream journal(options.journal, std::ios::app);
+  // What comes now is no part of a line that was cut off.
+  if (!journal_read.value().ends_with_line) journal << '\n';
   bool journal_good = journal.good();
   std::mutex mutex;  // guards the journal, the progress and `done`
   std::atomic<std::size_t> next{0};

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "skein/data/json.h"
@@ -200,13 +203,13 @@ void take_choice(Storage storage, std::variant<Ts...>& value, Source& source) {
   if (storage == Storage::kKindOnly) return;
   source.take(text);
   if (storage != Storage::kCoded) {
-    source.check(json::from_text(text, value));
+    source.check(json::from_text(text, value), "JSON as a run writes it");
     return;
   }
   std::vector<std::byte> coded;
   source.take(coded);
   auto decoded = wire::decode<std::variant<Ts...>>(coded);
-  source.check(decoded.ok());
+  source.check(decoded.ok(), "a value in the wire form");
   if (decoded) value = std::move(decoded).value();
 }
 
@@ -215,10 +218,29 @@ template <class T, class Source>
 bool take_whole(T& value, Source& source) {
   std::int64_t written = 0;
   if (!source.take(written)) return false;
-  if constexpr (kIsId<T>)
-    value.value = static_cast<std::uint32_t>(written);
-  else
-    value = static_cast<T>(written);
+  if constexpr (kIsId<T>) {
+    const bool fits = std::in_range<std::uint32_t>(written);
+    source.check(fits, "a number of an entity");
+    if (fits) value.value = static_cast<std::uint32_t>(written);
+  } else if constexpr (std::is_same_v<T, bool>) {
+    source.check(written == 0 || written == 1, "0 or 1");
+    value = written != 0;
+  } else {
+    const bool fits = std::in_range<T>(written);
+    source.check(fits, "a whole number that fits");
+    if (fits) value = static_cast<T>(written);
+  }
+  return true;
+}
+
+template <class Source>
+bool take_time(Time& value, Source& source) {
+  constexpr double kMaxSeconds = 9.2e9;  // what a Time holds
+  double seconds = 0;
+  if (!source.take(seconds)) return false;
+  const bool fits = std::abs(seconds) <= kMaxSeconds;
+  source.check(fits, "a time from -9.2e9 to 9.2e9 s");
+  if (fits) value = Time::from_seconds(seconds);
   return true;
 }
 
@@ -233,14 +255,13 @@ void take(const Form& form, T& value, Source& source) {
   } else if constexpr (std::is_same_v<T, Quat>) {
     take_attitude(value, source);
   } else if constexpr (std::is_same_v<T, Time>) {
-    double seconds = 0;
-    if (source.take(seconds)) value = Time::from_seconds(seconds);
+    take_time(value, source);
   } else if constexpr (kIsArray<T>) {
     for (auto& item : value) take(form, item, source);
   } else if constexpr (kIsOptional<T>) {
     if constexpr (std::is_same_v<T, std::optional<Time>>) {
-      double seconds = 0;
-      if (source.take(seconds)) value = Time::from_seconds(seconds);
+      Time time;
+      if (take_time(time, source)) value = time;
     } else if constexpr (std::is_same_v<T, std::optional<double>>) {
       double written = 0;
       if (source.take(written)) value = written / json::detail::factor_of(form);
@@ -257,7 +278,7 @@ void take(const Form& form, T& value, Source& source) {
     std::vector<std::byte> coded;
     source.take(coded);
     auto decoded = wire::decode<T>(coded);
-    source.check(decoded.ok());
+    source.check(decoded.ok(), "what the wire form makes of a list");
     if (decoded) value = std::move(decoded).value();
   } else if constexpr (std::is_same_v<T, double>) {
     double written = 0;
@@ -266,8 +287,9 @@ void take(const Form& form, T& value, Source& source) {
     std::string word;
     const auto names = names_of(static_cast<const T*>(nullptr));
     if (!source.take(word)) return;
-    for (std::size_t k = 0; k < names.size(); ++k)
-      if (names[k] == word) value = static_cast<T>(k);
+    const auto found = std::find(names.begin(), names.end(), word);
+    source.check(found != names.end(), "a word that is known");
+    if (found != names.end()) value = static_cast<T>(found - names.begin());
   } else if constexpr (std::is_same_v<T, std::string>) {
     source.take(value);
   } else {
@@ -301,7 +323,8 @@ void put(const T& value, Sink& sink) {
 }
 
 /// Takes the values of a row from `source`: `take(double&)`, and so on, say whether there
-/// was one; `skip()` passes one over; `check(bool)` is given whether a value made sense.
+/// was one; `skip()` passes one over; `check(bool, allowed)` is given whether the value
+/// that was taken last made sense, and what would.
 template <Described T, class Source>
 void take(T& value, Source& source) {
   detail::take_fields(value, source);

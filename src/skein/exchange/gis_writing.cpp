@@ -7,13 +7,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <system_error>
 
+#include "skein/base/output_file.h"
 #include "skein/geo/gdal/gdal_guard.h"
 #include "skein/geo/gdal/gdal_handles.h"
 
@@ -162,10 +165,9 @@ class GisWriter {
 // Moves all files of a folder to where they belong.
 Result<void> move_all(const fs::path& from, const fs::path& to) {
   std::error_code failure;
-  for (const fs::directory_entry& each : fs::directory_iterator(from, failure)) {
-    fs::rename(each.path(), to / each.path().filename(), failure);
-    if (failure) break;
-  }
+  for (const fs::directory_entry& each : fs::directory_iterator(from, failure))
+    if (auto moved = move_into_place(each.path(), to / each.path().filename()); !moved)
+      return moved;
   if (failure)
     return Error{ErrorCode::kUnavailable, to.string(),
                  fmt::format("cannot be written: {}.", failure.message()), ""};
@@ -177,8 +179,8 @@ constexpr GisFormat kPackedShapefile{".shp.zip", "ESRI Shapefile"};
 // A folder that nobody else has, gone with this.
 class PrivateFolder {
  public:
-  PrivateFolder() {
-    std::string name = (fs::temp_directory_path() / "skein-gis-XXXXXX").string();
+  explicit PrivateFolder(const fs::path& in = fs::temp_directory_path()) {
+    std::string name = (in / ".skein-gis-XXXXXX").string();
     if (::mkdtemp(name.data())) path_ = name;
   }
   ~PrivateFolder() {
@@ -187,6 +189,7 @@ class PrivateFolder {
   }
   PrivateFolder(const PrivateFolder&) = delete;
   PrivateFolder& operator=(const PrivateFolder&) = delete;
+  // Empty where it could not be made.
   const fs::path& path() const { return path_; }
 
  private:
@@ -224,20 +227,21 @@ Result<void> write_gis(const std::vector<GisFeature>& features, const std::strin
   if (format == std::end(kGisFormats))
     return Error{ErrorCode::kBadInput, file.string(), "has an ending that is not known.",
                  "Allowed: .geojson, .kml, .gpkg, .shp."};
-  // In a folder beside it first: what others read is always whole.
+  const auto place = output_place(file);
+  if (!place) return place.error();
+  // In a folder beside it first: what others read is always whole. Beside a device
+  // nothing is made.
   const fs::path target = fs::absolute(file).parent_path();
-  const fs::path folder =
-      target / fmt::format(".{}-{}", file.filename().string(), ::getpid());
-  std::error_code failure;
-  fs::create_directory(folder, failure);
-  if (failure)
+  const PrivateFolder folder(
+      place.value() == OutputPlace::kReplaced ? target : fs::temp_directory_path());
+  if (folder.path().empty())
     return Error{ErrorCode::kUnavailable, file.string(),
-                 fmt::format("cannot be written: {}.", failure.message()), ""};
-  Result<void> done =
-      GisWriter(frame, *format).write(features, layer, folder / file.filename());
-  if (done) done = move_all(folder, target);
-  fs::remove_all(folder, failure);
-  return done;
+                 fmt::format("cannot be written: {}.", std::strerror(errno)), ""};
+  if (auto done = GisWriter(frame, *format)
+                      .write(features, layer, folder.path() / file.filename());
+      !done)
+    return done;
+  return move_all(folder.path(), target);
 }
 
 }  // namespace skein::exchange

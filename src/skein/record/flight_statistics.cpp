@@ -30,7 +30,8 @@ void FlightStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
 }
 
 void FlightStatistics::reserve(EntityId id, double reserve) {
-  if (reserve >= 1) return;
+  // Below all numbers: the wind lets it get nowhere; then there is no such reserve.
+  if (reserve >= 1 || !std::isfinite(reserve)) return;
   const auto [min, first] = min_reserve_.try_emplace(id, reserve);
   if (!first) min->second = std::min(min->second, reserve);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "skein/record/record_table.h"
 
@@ -31,23 +32,21 @@ Result<SentMessages> read_sent_messages(const std::filesystem::path& directory) 
   auto opened = Sqlite::open(directory / "run.sqlite", Sqlite::Mode::kRead);
   if (!opened) return opened.error();
   Sqlite database = std::move(opened).value();
-  if (auto good = check_schema(database); !good) return good.error();
+  if (auto good = check_store(database); !good) return good.error();
   SentMessages run;
-  auto done = for_each_row(
-      database, "SELECT entity_id, name, kind FROM entities", [&](const Statement& row) {
-        run.senders[EntityId{static_cast<std::uint32_t>(row.integer(0))}] = {
-            row.text(1), row.text(2) == "aircraft"};
+  auto done = for_each_row_of(
+      database, "entities", "entity_id, name, kind", "", [&](const Statement& row) {
+        run.senders[entity_id(row, 1)] = {row.text(2), row.text(3) == "aircraft"};
       });
   if (!done) return done.error();
-  done = for_each_row(
-      database,
-      "SELECT sent_s, from_id, CASE content_kind WHEN 'team' THEN said ELSE content_kind "
-      "END, size_bytes FROM messages WHERE copy = 0 ORDER BY sent_s, from_id, number",
-      [&](const Statement& row) {
-        run.messages.push_back({row.real(0),
-                                {static_cast<std::uint32_t>(row.integer(1))},
-                                row.text(2),
-                                static_cast<std::uint32_t>(row.integer(3))});
+  constexpr auto kMaxBytes = std::numeric_limits<std::uint32_t>::max();
+  done = for_each_row_of(
+      database, "messages",
+      "sent_s, from_id, CASE content_kind WHEN 'team' THEN said ELSE content_kind END, "
+      "size_bytes",
+      "WHERE copy = 0 ORDER BY sent_s, from_id, number", [&](const Statement& row) {
+        run.messages.push_back({row.seconds(1), entity_id(row, 2), row.text(3),
+                                static_cast<std::uint32_t>(row.whole(4, 0, kMaxBytes))});
       });
   if (!done) return done.error();
   if (run.messages.empty())
@@ -57,8 +56,14 @@ Result<SentMessages> read_sent_messages(const std::filesystem::path& directory) 
       database,
       "SELECT max(coalesce((SELECT max(time_s) FROM truth), 0),"
       " coalesce((SELECT max(sent_s) FROM messages), 0),"
-      " coalesce((SELECT max(value) FROM summary WHERE name = 'simulated_s'), 0))",
-      [&](const Statement& row) { run.duration = row.real(0); });
+      " coalesce((SELECT max(value) FROM summary WHERE name = 'simulated_s'), 0)) AS "
+      "end_s",
+      [&](const Statement& row) {
+        run.duration = row.real(0);
+        if (run.duration < 0 || run.duration > kLongestRun)
+          row.refuse(0, "the end of a run, from 0 to 4e6 s");
+      },
+      "tables truth, messages and summary");
   if (!done) return done.error();
   return run;
 }

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "skein/record/file.h"
+#include "skein/base/output_file.h"
 #include "skein/record/page_assets.h"
 
 namespace skein::record {

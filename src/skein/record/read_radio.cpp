@@ -1,7 +1,5 @@
 #include "skein/record/read_radio.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,6 +10,9 @@
 
 namespace skein::record {
 namespace {
+
+constexpr std::size_t kMaxKinds = 1000;  // of messages
+constexpr std::int64_t kMaxHops = 1'000'000;
 
 std::optional<LossCause> loss_cause(const std::string& name) {
   constexpr auto kNames = names_of(static_cast<const LossCause*>(nullptr));
@@ -28,32 +29,36 @@ Result<void> read_messages(Sqlite& database, RadioStatistics& statistics,
   const auto bins = static_cast<std::size_t>(needed);
   run.messages_sent.assign(bins, 0);
   run.messages_lost.assign(bins, 0);
-  std::string unknown;
-  auto done = for_each_row(
-      database,
-      "SELECT sent_s, cause, hops, forged, copy, size_bytes, CASE content_kind WHEN "
-      "'team' THEN said ELSE content_kind END FROM messages",
-      [&](const Statement& row) {
-        const double bin = std::max(0.0, row.real(0) / run.message_bin);
+  auto done = for_each_row_of(
+      database, "messages",
+      "sent_s, cause, hops, forged, copy, size_bytes, CASE content_kind WHEN 'team' THEN "
+      "said ELSE content_kind END",
+      "", [&](const Statement& row) {
+        const double bin = std::max(0.0, row.seconds(1) / run.message_bin);
         const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
-        const bool forged = row.integer(3) != 0;
+        const bool forged = row.integer(4) != 0;
         if (!forged) ++run.messages_sent[k];
-        if (!forged && row.integer(4) == 0) {
-          auto& bytes = run.messages_bytes.try_emplace(row.text(6), bins).first->second;
-          bytes[k] += row.real(5);
+        if (!forged && row.integer(5) == 0) {
+          const std::string kind = row.text(7);
+          if (!run.messages_bytes.contains(kind) &&
+              run.messages_bytes.size() >= kMaxKinds) {
+            row.refuse(7, "a kind of message");
+            return;
+          }
+          auto& bytes = run.messages_bytes.try_emplace(kind, bins).first->second;
+          bytes[k] += row.real(6);
         }
-        const auto cause = loss_cause(row.text(1));
+        const auto cause = loss_cause(row.text(2));
         if (!cause) {
-          unknown = row.text(1);
+          row.refuse(2, "the cause of a loss");
           return;
         }
         const bool lost = *cause != LossCause::kNone && *cause != LossCause::kPending;
         if (lost && !forged) ++run.messages_lost[k];
-        statistics.message(*cause, static_cast<std::uint32_t>(row.integer(2)), forged);
+        const auto hops = static_cast<std::uint32_t>(row.whole(3, 0, kMaxHops));
+        statistics.message(*cause, hops, forged);
       });
-  if (!done || unknown.empty()) return done;
-  return Error{ErrorCode::kBadInput, "messages",
-               fmt::format("\"{}\" is no cause of a loss.", unknown), ""};
+  return done;
 }
 
 }  // namespace

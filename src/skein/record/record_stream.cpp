@@ -1,7 +1,10 @@
 #include "skein/record/record_stream.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "skein/record/metrics.h"
@@ -35,6 +38,7 @@ using stream::Cursor, stream::Timed;
 
 constexpr std::int64_t kPiece = 1000;  // rows that are read at once
 constexpr double kMotionBefore = 2;    // of vehicles, before the time that is gone to [s]
+constexpr double kAfterEnd = 1;        // of a run, that a record may still have [s]
 
 // When a record came; what was there from the start comes first.
 template <class T>
@@ -54,6 +58,17 @@ Time time_of(const T& record) {
 std::string piece_after(std::int64_t row) {
   return "WHERE rowid > " + std::to_string(row) + " ORDER BY rowid LIMIT " +
          std::to_string(kPiece);
+}
+
+// Rows of vehicles end with the run.
+template <class T>
+void check_time(const T& record, const Statement& row, const std::optional<Time>& end) {
+  const double time = time_of(record).seconds();
+  if (std::abs(time) > kLatestRecord) row.refuse(1, "a time of a run, up to 1e7 s");
+  if constexpr (std::is_same_v<T, TruthRecord> || std::is_same_v<T, EstimateRecord>)
+    if (end && time > end->seconds() + kAfterEnd)
+      row.refuse(
+          1, "a time up to the end of the run, " + std::to_string(end->seconds()) + " s");
 }
 
 template <class Item>
@@ -103,22 +118,28 @@ class PieceCursor : public Cursor {
 template <Described T>
 class TableCursor final : public PieceCursor<T> {
  public:
+  // @param end  of the run; none: it is not known.
+  explicit TableCursor(std::optional<Time> end) : end_(end) {}
+
   Result<void> seek(Sqlite& database, Time time) override {
     this->go_to(0);
     if constexpr (!std::is_same_v<T, TruthRecord> && !std::is_same_v<T, EstimateRecord>)
       return {};
-    // Rows are in order of time: by halves.
+    // Rows are in order of time: by halves, also where numbers are missing.
     std::int64_t low = 0, high = 0;
     const std::string table(kDescription<T>.name.table);
-    auto done = for_each_row(database, "SELECT coalesce(max(rowid), 0) FROM " + table,
-                             [&](const Statement& row) { high = row.integer(0); });
-    const double wanted = time.seconds() - kMotionBefore;
+    auto done = for_each_row(
+        database, "SELECT coalesce(max(rowid), 0) AS last_row FROM " + table,
+        [&](const Statement& row) { high = row.whole(0, 0, kMaxRow); }, "table " + table);
+    const double target = time.seconds() - kMotionBefore;
     while (done && high - low > 1) {
       const std::int64_t middle = low + (high - low) / 2;
-      done = for_each_row(
-          database,
-          "SELECT time_s FROM " + table + " WHERE rowid = " + std::to_string(middle),
-          [&](const Statement& row) { (row.real(0) < wanted ? low : high) = middle; });
+      bool before = false;
+      done = for_each_row_of(
+          database, table, "time_s",
+          "WHERE rowid >= " + std::to_string(middle) + " ORDER BY rowid LIMIT 1",
+          [&](const Statement& row) { before = row.seconds(1) < target; });
+      (before ? low : high) = middle;
     }
     this->go_to(low);
     return done;
@@ -128,10 +149,13 @@ class TableCursor final : public PieceCursor<T> {
   Result<void> read_piece(Sqlite& database) override {
     const std::string piece = piece_after(this->row_);
     const std::size_t before = this->ahead_.size();
-    auto done = for_each_record<T>(database, piece, [this](T value) {
-      this->ahead_.push_back(std::move(value));
-      ++this->row_;
-    });
+    auto done = for_each_record<T>(
+        database, piece,
+        [this](T value, std::int64_t number) {
+          this->ahead_.push_back(std::move(value));
+          this->row_ = number;
+        },
+        [this](const T& value, const Statement& row) { check_time(value, row, end_); });
     if constexpr (std::is_same_v<T, RecommendationRecord>)
       if (done) return read_paths(database, piece, before);
     return done;
@@ -139,16 +163,16 @@ class TableCursor final : public PieceCursor<T> {
 
   // Lists are not read back with their records.
   Result<void> read_paths(Sqlite& database, const std::string& piece, std::size_t next) {
-    return for_each_row(database, "SELECT path_json FROM recommendations " + piece,
-                        [&](const Statement& row) {
-                          const auto list =
-                              json::Json::parse(row.text(0), nullptr, false);
-                          auto& path = this->ahead_.at(next++).recommendation.path;
-                          if (list.is_array())
-                            for (const json::Json& item : list)
-                              if (auto point = json::from_json<RecommendedPoint>(item))
-                                path.push_back(std::move(point).value());
-                        });
+    return for_each_row_of(
+        database, "recommendations", "path_json", piece, [&](const Statement& row) {
+          const auto list = json::Json::parse(row.text(1), nullptr, false);
+          if (next >= this->ahead_.size()) return;  // written since
+          auto& path = this->ahead_.at(next++).recommendation.path;
+          if (list.is_array())
+            for (const json::Json& item : list)
+              if (auto point = json::from_json<RecommendedPoint>(item))
+                path.push_back(std::move(point).value());
+        });
   }
   Time time_of_item(const T& value) const override { return time_of(value); }
   void put(T value, std::vector<Timed>& out) override {
@@ -170,6 +194,8 @@ class TableCursor final : public PieceCursor<T> {
       out.push_back({time, Record(std::move(value))});
     }
   }
+
+  std::optional<Time> end_;
 };
 
 // Boundaries, whose rings are rows.
@@ -201,6 +227,8 @@ std::vector<BoundaryPoint> believed_ring(const std::vector<float>& floats) {
 
 class PerimeterCursor final : public PieceCursor<RingRow> {
  public:
+  static constexpr std::int64_t kMaxPhenomenon = 1'000'000;
+
   Result<void> seek(Sqlite& database, Time time) override {
     truth_.clear();
     return PieceCursor::seek(database, time);
@@ -208,22 +236,23 @@ class PerimeterCursor final : public PieceCursor<RingRow> {
 
  private:
   Result<void> read_piece(Sqlite& database) override {
-    return for_each_row(
-        database,
-        "SELECT time_s, made_s, source, mission, phenomenon, believer_id, ring, data "
-        "FROM perimeters " +
-            piece_after(row_),
-        [this](const Statement& row) {
+    return for_each_row_of(
+        database, "perimeters",
+        "time_s, made_s, source, mission, phenomenon, believer_id, ring, points, data",
+        piece_after(row_), [this](const Statement& row, std::int64_t number) {
           RingRow& ring = ahead_.emplace_back();
-          ring.time = Time::from_seconds(row.real(0));
-          ring.made = row.is_null(1) ? ring.time : Time::from_seconds(row.real(1));
-          ring.source = row.text(2);
-          ring.mission = row.text(3);
-          ring.phenomenon = static_cast<std::uint32_t>(row.integer(4));
-          ring.believer = entity_id(row, 5);
-          ring.ring = row.integer(6);
-          ring.floats = float_blob(row, 7);
-          ++row_;
+          ring.time = time_of_row(row, 1);
+          ring.made = row.is_null(2) ? ring.time : time_of_row(row, 2);
+          ring.source = row.text(3);
+          ring.mission = row.text(4);
+          ring.phenomenon = static_cast<std::uint32_t>(row.whole(5, 0, kMaxPhenomenon));
+          ring.believer = entity_id(row, 6);
+          ring.ring = row.whole(7, 0, kMaxRow);
+          const std::size_t each = ring.source == "truth" ? kTruthFloats : kBeliefFloats;
+          ring.floats = stored_ring(row, 9, each);
+          if (row.integer(8) != static_cast<std::int64_t>(ring.floats.size() / each))
+            row.refuse(8, "the number of points of the blob data");
+          row_ = number;
         });
   }
   Time time_of_item(const RingRow& ring) const override { return ring.made; }
@@ -288,17 +317,16 @@ class MetricsCursor final : public PieceCursor<MetricSample> {
     for (const MetricField& field : metric_fields())
       columns +=
           ", " + names.emplace_back(std::string(field.name) + std::string(field.unit));
-    return for_each_row(
-        database,
-        "SELECT time_s, mission" + columns + " FROM metrics " + piece_after(row_),
-        [&](const Statement& row) {
+    return for_each_row_of(
+        database, "metrics", "time_s, mission" + columns, piece_after(row_),
+        [&](const Statement& row, std::int64_t number) {
           MetricSample& sample = ahead_.emplace_back();
-          sample.time = Time::from_seconds(row.real(0));
-          sample.mission = row.text(1);
+          sample.time = time_of_row(row, 1);
+          sample.mission = row.text(2);
           for (std::size_t k = 0; k < names.size(); ++k)
-            if (const int column = static_cast<int>(k) + 2; !row.is_null(column))
+            if (const int column = static_cast<int>(k) + 3; !row.is_null(column))
               sample.values.push_back({names[k], row.real(column)});
-          ++row_;
+          row_ = number;
         });
   }
   Time time_of_item(const MetricSample& sample) const override { return sample.time; }
@@ -313,21 +341,30 @@ class MetricsCursor final : public PieceCursor<MetricSample> {
 struct RecordStream::Parts {
   explicit Parts(Sqlite of) : database(std::move(of)) {}
 
+  // Of a run that is over, what it says; else the last that there is.
   Result<void> read_end() {
     return for_each_row(
         database,
-        "SELECT max(coalesce((SELECT time_s FROM truth ORDER BY rowid DESC LIMIT 1), 0),"
-        " coalesce((SELECT time_s FROM metrics ORDER BY rowid DESC LIMIT 1), 0),"
-        " coalesce((SELECT max(value) FROM summary WHERE name = 'simulated_s'), 0))",
-        [this](const Statement& row) { end = Time::from_seconds(row.real(0)); });
+        "SELECT coalesce((SELECT value FROM summary WHERE name = 'simulated_s'),"
+        " max(coalesce((SELECT time_s FROM truth ORDER BY rowid DESC LIMIT 1), 0),"
+        " coalesce((SELECT time_s FROM metrics ORDER BY rowid DESC LIMIT 1), 0)))"
+        " AS end_s, EXISTS (SELECT 1 FROM summary WHERE name = 'simulated_s')",
+        [this](const Statement& row) {
+          const double seconds = row.real(0);
+          if (seconds < 0 || seconds > kLongestRun)
+            return row.refuse(0, "the end of a run, from 0 to 4e6 s");
+          end = Time::from_seconds(seconds);
+          if (row.integer(1) != 0) known_end = end;
+        },
+        "tables summary, truth and metrics");
   }
   void make_cursors() {
     type_traits::for_each_alternative(
         static_cast<const Record*>(nullptr), [this]<class T>() {
           if constexpr (!kDescription<T>.name.table.empty())
-            cursors.push_back(std::make_unique<TableCursor<T>>());
+            cursors.push_back(std::make_unique<TableCursor<T>>(known_end));
         });
-    cursors.push_back(std::make_unique<TableCursor<TaskRow>>());
+    cursors.push_back(std::make_unique<TableCursor<TaskRow>>(known_end));
     cursors.push_back(std::make_unique<PerimeterCursor>());
     cursors.push_back(std::make_unique<MetricsCursor>());
   }
@@ -335,6 +372,7 @@ struct RecordStream::Parts {
   Sqlite database;
   RunInfo info;
   Time end;
+  std::optional<Time> known_end;  // of a run that is over
   std::unique_ptr<TerrainRow> terrain;
   std::vector<std::unique_ptr<stream::Cursor>> cursors;
   std::vector<stream::Timed> gathered;
@@ -349,7 +387,7 @@ Result<RecordStream> RecordStream::open(const std::filesystem::path& directory) 
   auto database = Sqlite::open(directory / "run.sqlite", Sqlite::Mode::kRead);
   if (!database) return database.error();
   auto parts = std::make_unique<Parts>(std::move(database).value());
-  if (auto good = check_schema(parts->database); !good) return good.error();
+  if (auto good = check_store(parts->database); !good) return good.error();
   auto info = read_info(parts->database);
   if (!info) return info.error();
   parts->info = std::move(info).value();

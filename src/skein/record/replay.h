@@ -16,7 +16,7 @@ struct RecordedRun {
   std::vector<CommandRecord> commands;       ///< as they were given, in order
   std::vector<VehicleReportRecord> reports;  ///< of vehicles behind links, in order
   std::optional<std::string> content_hash;   ///< none: the run was cut off
-  std::optional<Time> interrupted;           ///< its last step
+  std::optional<Time> interrupted;           ///< its last step; below 0: it had none
 };
 
 /// Reads the run in `directory`.

@@ -1,6 +1,7 @@
 #include "skein/record/run_database.h"
 
 #include <bit>
+#include <cmath>
 
 #include "skein/data/columns.h"
 #include "skein/record/sql_row.h"
@@ -50,19 +51,19 @@ std::string create_table() {
   return "CREATE TABLE " + std::string(kDescription<T>.name.table) + " (" + sql + ");";
 }
 
-std::string schema() {
-  std::string sql = std::string("BEGIN;") + kOtherTables + create_table<TaskRow>();
-  type_traits::for_each_alternative(static_cast<const Record*>(nullptr), [&]<class T>() {
-    if constexpr (!kDescription<T>.name.table.empty()) sql += create_table<T>();
-  });
-  return sql + metrics_schema();
-}
-
 std::span<const std::byte> bytes(const std::vector<float>& floats) {
   return std::as_bytes(std::span(floats));
 }
 
 }  // namespace
+
+std::string run_schema() {
+  std::string sql = kOtherTables + create_table<TaskRow>();
+  type_traits::for_each_alternative(static_cast<const Record*>(nullptr), [&]<class T>() {
+    if constexpr (!kDescription<T>.name.table.empty()) sql += create_table<T>();
+  });
+  return sql + metrics_schema();
+}
 
 Result<RunDatabase> RunDatabase::create(const std::filesystem::path& file,
                                         const RunInfo& info, std::int64_t max_size) {
@@ -78,7 +79,7 @@ Result<RunDatabase> RunDatabase::create(const std::filesystem::path& file,
                         std::to_string(kSchemaVersion) + ";";
   if (max_size > 0)
     pragmas += "PRAGMA max_page_count=" + std::to_string(max_size / kPageBytes) + ";";
-  for (const std::string& sql : {pragmas, schema()})
+  for (const std::string& sql : {pragmas, "BEGIN;" + run_schema()})
     if (const auto done = database.sqlite_.execute(sql); !done) return done.error();
   if (const auto done = database.prepare(); !done) return done.error();
 
@@ -239,13 +240,18 @@ Result<void> RunDatabase::write(const ForecastScore& row) {
 Result<void> RunDatabase::finish(const RunSummary& summary) {
   if (auto done = begin(); !done) return done;
   for (const auto& [name, value] : summary.numbers)
-    if (auto done = insert(summary_, name, value); !done) return done;
+    if (std::isfinite(value))
+      if (auto done = insert(summary_, name, value); !done) return done;
   if (auto done = insert(summary_, "content_hash", summary.content_hash); !done)
     return done;
   if (auto done = insert(summary_, "interrupted", summary.interrupted); !done)
     return done;
   if (auto done = commit(); !done) return done;
-  return sqlite_.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+  if (auto done = sqlite_.execute("PRAGMA wal_checkpoint(TRUNCATE)"); !done) return done;
+  // A run that is over needs no log: it can be read where nothing can be written. While
+  // somebody reads it, it keeps one; that is no failure.
+  static_cast<void>(sqlite_.execute("PRAGMA journal_mode=DELETE"));
+  return {};
 }
 
 }  // namespace skein::record

@@ -32,6 +32,9 @@ inline constexpr std::size_t kBeliefFloats = 9;  ///< the columns of a BoundaryP
 /// teams.
 inline constexpr int kSchemaVersion = 15;
 
+/// The statements that make the tables.
+std::string run_schema();
+
 /// The tables of one run, for writing. Write errors leave what was committed untouched.
 class RunDatabase {
  public:

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "skein/base/log.h"
 #include "skein/record/read_radio.h"
 #include "skein/record/record_table.h"
 #include "skein/record/run_database.h"
@@ -22,6 +23,8 @@ namespace {
 // Before everything: no row of truth is of this time.
 constexpr Time kNever = Time::from_ns(-1);
 constexpr double kShortestStep = 1;  // between samples of a flight [s]
+constexpr double kAfterEnd = 1;      // of a run, that a record may still have [s]
+constexpr std::int64_t kMaxAlertLevel = 1000;
 
 double known(const Statement& row, int column) {
   return row.is_null(column) ? std::numeric_limits<double>::quiet_NaN()
@@ -96,15 +99,29 @@ class Reader {
 
  private:
   template <class Take>
-  Result<void> rows(const std::string& sql, Take&& take) {
-    return for_each_row(database_, sql, std::forward<Take>(take));
+  Result<void> sums(const std::string& sql, const std::string& what, Take&& take) {
+    return for_each_row(database_, sql, std::forward<Take>(take), what);
+  }
+  // The first column is the number of the row.
+  template <class Take>
+  Result<void> rows(const std::string& table, const std::string& columns,
+                    const std::string& rest, Take&& take) {
+    return for_each_row_of(database_, table, columns, rest, std::forward<Take>(take));
+  }
+  // Of a vehicle, whose columns 1 and 2 are its entity and a time.
+  void check_vehicle(const Statement& row) const {
+    if (!known_.contains(entity_id(row, 1)))
+      row.refuse(1, "the number of an entity of the run");
+    if (row.seconds(2) > run_.duration + kAfterEnd)
+      row.refuse(
+          2, "a time up to the end of the run, " + std::to_string(run_.duration) + " s");
   }
   template <Described T, class Take>
   Result<void> records(const std::string& order, Take&& take) {
     return for_each_record<T>(database_, order, std::forward<Take>(take));
   }
 
-  Result<void> schema() { return check_schema(database_); }
+  Result<void> schema() { return check_store(database_); }
 
   Result<void> meta() {
     auto info = read_info(database_);
@@ -115,25 +132,33 @@ class Reader {
 
   Result<void> entities() {
     return records<EntityRecord>("", [this](EntityRecord entity) {
+      known_.insert(entity.id);
       statistics_.entity(entity);
       run_.entities.push_back(std::move(entity));
     });
   }
 
+  // Of a run that is over, what it says; else the last that there is.
   Result<void> duration() {
-    return rows(
-        "SELECT max(coalesce((SELECT max(time_s) FROM truth), 0),"
+    return sums(
+        "SELECT coalesce((SELECT value FROM summary WHERE name = 'simulated_s'),"
+        " max(coalesce((SELECT max(time_s) FROM truth), 0),"
         " coalesce((SELECT max(time_s) FROM metrics), 0),"
-        " coalesce((SELECT max(time_s) FROM readings), 0),"
-        " coalesce((SELECT max(value) FROM summary WHERE name = 'simulated_s'), 0))",
-        [this](const Statement& row) { run_.duration = row.real(0); });
+        " coalesce((SELECT max(time_s) FROM readings), 0))) AS end_s",
+        "tables summary, truth, metrics and readings", [this](const Statement& row) {
+          run_.duration = row.real(0);
+          if (run_.duration < 0 || run_.duration > kLongestRun)
+            row.refuse(0, "the end of a run, from 0 to 4e6 s");
+        });
   }
 
   Result<void> events() {
     int total = 0;
-    auto done = rows("SELECT count(*) FROM events", [&](const Statement& row) {
-      total = static_cast<int>(row.integer(0));
-    });
+    auto done =
+        sums("SELECT count(*) AS events FROM events", "table events",
+             [&](const Statement& row) {
+               total = static_cast<int>(row.whole(0, 0, std::numeric_limits<int>::max()));
+             });
     if (!done) return done;
     // The rarest kinds say the most: they stay when there are too many.
     done = records<Event>(
@@ -145,82 +170,80 @@ class Reader {
     std::stable_sort(run_.events.begin(), run_.events.end(),
                      [](const Event& a, const Event& b) { return a.time < b.time; });
     run_.events_left_out = total - static_cast<int>(run_.events.size());
-    done = rows(
-        "SELECT kind, text, entity_id FROM events WHERE kind IN ('accident', 'failsafe',"
-        " 'non-actual-observation', 'unknown-object-interaction') ORDER BY rowid",
-        [this](const Statement& row) {
-          statistics_.event({Time(), entity_id(row, 2), row.text(0), row.text(1)});
-        });
+    done =
+        rows("events", "kind, text, entity_id",
+             "WHERE kind IN ('accident', 'failsafe', 'non-actual-observation',"
+             " 'unknown-object-interaction') ORDER BY rowid",
+             [this](const Statement& row) {
+               statistics_.event({Time(), entity_id(row, 3), row.text(1), row.text(2)});
+             });
     if (!done) return done;
-    return rows(
-        "SELECT min(time_s) FROM events WHERE kind = 'allocation'",
-        [this](const Statement& row) {
-          if (row.is_null(0)) return;
-          run_.allocation_start = row.real(0);
-          statistics_.event({Time::from_seconds(row.real(0)), {}, "allocation", ""});
-        });
+    return sums("SELECT min(time_s) AS time_s FROM events WHERE kind = 'allocation'",
+                "table events", [this](const Statement& row) {
+                  if (row.is_null(0)) return;
+                  run_.allocation_start = row.seconds(0);
+                  statistics_.event({time_of_row(row, 0), {}, "allocation", ""});
+                });
   }
 
   Result<void> metrics() {
     std::optional<Believer> first;  // whose metrics are plotted
-    return rows(
-        "SELECT time_s, believer_id, mission" + metric_columns() + " FROM metrics",
-        [&](const Statement& row) {
-          const PerimeterMetrics metrics = metrics_from(row, 3);
-          const Believer who{entity_id(row, 1), row.text(2)};
-          statistics_.metrics(Time::from_seconds(row.real(0)), who, metrics);
-          if (!first) first = who;
-          if (who != *first) return;
-          run_.metric_times.push_back(row.real(0));
-          run_.metrics.push_back(metrics);
-        });
+    return rows("metrics", "time_s, believer_id, mission" + metric_columns(), "",
+                [&](const Statement& row) {
+                  const PerimeterMetrics metrics = metrics_from(row, 4);
+                  const Believer who{entity_id(row, 2), row.text(3)};
+                  statistics_.metrics(time_of_row(row, 1), who, metrics);
+                  if (!first) first = who;
+                  if (who != *first) return;
+                  run_.metric_times.push_back(row.seconds(1));
+                  run_.metrics.push_back(metrics);
+                });
   }
 
   Result<void> flights() {
     flights_.emplace(std::max(kShortestStep, run_.duration / budget_.flight_samples),
                      budget_.flights);
     return rows(
-        "SELECT entity_id, time_s, north_m, east_m, altitude_msl_m, charge,"
-        " airspeed_mps, on_ground FROM truth",
-        [&](const Statement& row) {
-          const EntityId id = entity_id(row, 0);
+        "truth",
+        "entity_id, time_s, north_m, east_m, altitude_msl_m, charge, airspeed_mps,"
+        " on_ground",
+        "", [&](const Statement& row) {
+          check_vehicle(row);
+          const EntityId id = entity_id(row, 1);
           VehicleState state;
-          state.p_N = Vec3(row.real(2), row.real(3), -row.real(4));
-          state.energy.charge = row.real(5);
-          state.on_ground = row.integer(7) != 0;
-          statistics_.truth(Time::from_seconds(row.real(1)), id, state);
-          flights_->truth(id, {row.real(1), Vec2(row.real(2), row.real(3)), row.real(4),
-                               known(row, 6), known(row, 5)});
+          state.p_N = Vec3(row.real(3), row.real(4), -row.real(5));
+          state.energy.charge = row.real(6);
+          state.on_ground = row.integer(8) != 0;
+          statistics_.truth(time_of_row(row, 2), id, state);
+          flights_->truth(id, {row.seconds(2), Vec2(row.real(3), row.real(4)),
+                               row.real(5), known(row, 7), known(row, 6)});
         });
   }
 
   // The figures of a run that was cut off have no truth beside the estimates.
   Result<void> estimates() {
     auto done = rows(
-        "SELECT entity_id, time_s, north_m, east_m, reserve, follows, cross_track_m"
-        " FROM estimates",
+        "estimates",
+        "entity_id, time_s, north_m, east_m, reserve, follows, cross_track_m", "",
         [this](const Statement& row) {
-          const double cross_track = row.integer(5) != 0
-                                         ? row.real(6)
+          check_vehicle(row);
+          const double cross_track = row.integer(6) != 0
+                                         ? row.real(7)
                                          : std::numeric_limits<double>::quiet_NaN();
           if (std::isfinite(cross_track))
-            statistics_.estimate(kNever, entity_id(row, 0), Vec3::Zero(), cross_track);
-          flights_->estimate(
-              entity_id(row, 0),
-              {row.real(1), Vec2(row.real(2), row.real(3)), cross_track, known(row, 4)});
+            statistics_.estimate(kNever, entity_id(row, 1), Vec3::Zero(), cross_track);
+          if (!row.is_null(5)) statistics_.reserve(entity_id(row, 1), row.real(5));
+          flights_->estimate(entity_id(row, 1),
+                             {row.seconds(2), Vec2(row.real(3), row.real(4)), cross_track,
+                              known(row, 5)});
         });
     run_.flights = flights_->take();
-    if (!done) return done;
-    return rows("SELECT entity_id, min(reserve) FROM estimates GROUP BY entity_id",
-                [this](const Statement& row) {
-                  statistics_.reserve(entity_id(row, 0), row.real(1));
-                });
+    return done;
   }
 
   // Only for the counts of a run that was cut off.
   Result<void> readings() {
-    return rows("SELECT 1 FROM readings",
-                [this](const Statement&) { statistics_.reading(); });
+    return rows("readings", "1", "", [this](const Statement&) { statistics_.reading(); });
   }
 
   Result<void> radio() { return read_radio(database_, statistics_.radio(), run_); }
@@ -230,31 +253,29 @@ class Reader {
       run_.arrivals.push_back(std::move(record.forecast));
     });
     if (!done) return done;
-    return rows("SELECT made_s, time_s, believer_id, mission" + metric_columns() +
-                    " FROM forecast_metrics ORDER BY rowid",
+    return rows("forecast_metrics",
+                "made_s, time_s, believer_id, mission" + metric_columns(), "",
                 [&](const Statement& row) {
                   ForecastScore score;
-                  score.made = Time::from_seconds(row.real(0));
-                  score.time = Time::from_seconds(row.real(1));
-                  score.who = {entity_id(row, 2), row.text(3)};
-                  score.metrics = metrics_from(row, 4);
+                  score.made = time_of_row(row, 1);
+                  score.time = time_of_row(row, 2);
+                  score.who = {entity_id(row, 3), row.text(4)};
+                  score.metrics = metrics_from(row, 5);
                   statistics_.forecasts().score(score);
                   run_.forecasts.push_back(std::move(score));
                 });
   }
 
   Result<void> missions() {
-    return rows(
-        "SELECT mission, figure, time_s, value FROM mission_metrics"
-        " ORDER BY mission, figure, time_s",
-        [this](const Statement& row) {
-          auto& all = run_.mission_series;
-          if (all.empty() || all.back().mission != row.text(0) ||
-              all.back().figure != row.text(1))
-            all.push_back({row.text(0), row.text(1), {}, {}});
-          all.back().times.push_back(static_cast<float>(row.real(2)));
-          all.back().values.push_back(static_cast<float>(row.real(3)));
-        });
+    return rows("mission_metrics", "mission, figure, time_s, value",
+                "ORDER BY mission, figure, time_s", [this](const Statement& row) {
+                  auto& all = run_.mission_series;
+                  if (all.empty() || all.back().mission != row.text(1) ||
+                      all.back().figure != row.text(2))
+                    all.push_back({row.text(1), row.text(2), {}, {}});
+                  all.back().times.push_back(static_cast<float>(row.seconds(3)));
+                  all.back().values.push_back(static_cast<float>(row.real(4)));
+                });
   }
 
   // Only for the figures of a run that was cut off.
@@ -277,10 +298,10 @@ class Reader {
       statistics_.payload().detection(detection);
     });
     if (!done) return done;
-    done = rows("SELECT 1 FROM footprints",
+    done = rows("footprints", "1", "",
                 [this](const Statement&) { statistics_.payload().footprint(); });
     if (!done) return done;
-    return rows("SELECT 1 FROM ranges",
+    return rows("ranges", "1", "",
                 [this](const Statement&) { statistics_.payload().ranges(); });
   }
 
@@ -315,37 +336,38 @@ class Reader {
 
   Result<void> bands() {
     std::int64_t count = 0;
-    auto done = rows("SELECT count(*) FROM bands",
+    auto done = sums("SELECT count(*) AS bands FROM bands", "table bands",
                      [&](const Statement& row) { count = row.integer(0); });
     if (!done) return done;
     const std::int64_t each = count / std::max(1, budget_.bands) + 1;
     // Ends stay, lest a display show what is over.
     return rows(
-        "SELECT entity_id, time_s, level, track_advised_deg, speed_advised_mps,"
+        "bands",
+        "entity_id, time_s, level, track_advised_deg, speed_advised_mps,"
         " vertical_speed_advised_mps, recovery_s, tracks_json, speeds_json,"
-        " vertical_speeds_json, altitudes_json FROM bands WHERE rowid % " +
-            std::to_string(each) + " = 0 OR level = 0 ORDER BY time_s",
+        " vertical_speeds_json, altitudes_json",
+        "WHERE rowid % " + std::to_string(each) + " = 0 OR level = 0 ORDER BY time_s",
         [this](const Statement& row) {
           StoredBands bands;
-          bands.id = entity_id(row, 0);
-          bands.time = row.real(1);
-          bands.level = static_cast<std::uint32_t>(row.integer(2));
-          bands.track_advised_deg = known(row, 3);
-          bands.speed_advised = known(row, 4);
-          bands.vertical_speed_advised = known(row, 5);
-          bands.recovery = known(row, 6);
-          bands.tracks = stored_bands(row.text(7));
-          bands.speeds = stored_bands(row.text(8));
-          bands.vertical_speeds = stored_bands(row.text(9));
-          bands.altitudes = stored_bands(row.text(10));
+          bands.id = entity_id(row, 1);
+          bands.time = row.seconds(2);
+          bands.level = static_cast<std::uint32_t>(row.whole(3, 0, kMaxAlertLevel));
+          bands.track_advised_deg = known(row, 4);
+          bands.speed_advised = known(row, 5);
+          bands.vertical_speed_advised = known(row, 6);
+          bands.recovery = known(row, 7);
+          bands.tracks = stored_bands(row.text(8));
+          bands.speeds = stored_bands(row.text(9));
+          bands.vertical_speeds = stored_bands(row.text(10));
+          bands.altitudes = stored_bands(row.text(11));
           run_.bands.push_back(std::move(bands));
         });
   }
 
   Result<void> recommendations() {
-    auto done = rows("SELECT path_json FROM recommendations ORDER BY time_s, rowid",
+    auto done = rows("recommendations", "path_json", "ORDER BY time_s, rowid",
                      [this](const Statement& row) {
-                       run_.recommendations.push_back({{}, row.text(0)});
+                       run_.recommendations.push_back({{}, row.text(1)});
                      });
     if (!done) return done;
     std::size_t next = 0;
@@ -364,7 +386,7 @@ class Reader {
 
   // Only for the counts of a run that was cut off.
   Result<void> memory() {
-    auto done = rows("SELECT 1 FROM physical_objects", [this](const Statement&) {
+    auto done = rows("physical_objects", "1", "", [this](const Statement&) {
       statistics_.memory().physical_object();
     });
     if (!done) return done;
@@ -377,19 +399,28 @@ class Reader {
     run_.summary.version = run_.info.version;
     run_.summary.name = run_.info.name;
     run_.summary.seed = run_.info.seed;
-    auto done = rows("SELECT name, value FROM summary", [this](const Statement& row) {
-      const std::string name = row.text(0);
-      if (name == "content_hash") {
-        run_.summary.content_hash = row.text(1);
-        if (run_.ending == RunEnding::kCutOff) run_.ending = RunEnding::kComplete;
-      } else if (name == "interrupted") {
-        run_.summary.interrupted = row.integer(1) != 0;
-        if (run_.summary.interrupted) run_.ending = RunEnding::kInterrupted;
-      } else {
-        run_.summary.numbers[name] = row.real(1);
-      }
-    });
+    int infinite = 0;  // versions before this one wrote such figures
+    auto done = sums("SELECT name, value, value IN (9e999, -9e999) FROM summary",
+                     "table summary", [&](const Statement& row) {
+                       const std::string name = row.text(0);
+                       if (name == "content_hash") {
+                         run_.summary.content_hash = row.text(1);
+                         if (run_.ending == RunEnding::kCutOff)
+                           run_.ending = RunEnding::kComplete;
+                       } else if (name == "interrupted") {
+                         run_.summary.interrupted = row.integer(1) != 0;
+                         if (run_.summary.interrupted)
+                           run_.ending = RunEnding::kInterrupted;
+                       } else if (row.integer(2) != 0) {
+                         ++infinite;
+                       } else {
+                         run_.summary.numbers[name] = row.real(1);
+                       }
+                     });
     if (!done) return done;
+    if (infinite > 0)
+      log_warning("{}: {} figures of the table summary are infinite; left out.",
+                  database_.file().string(), infinite);
     if (run_.ending == RunEnding::kCutOff) {
       run_.summary.numbers = statistics_.figures();
       run_.summary.numbers["simulated_s"] = run_.duration;
@@ -401,6 +432,7 @@ class Reader {
   }
 
   Sqlite database_;
+  std::set<EntityId> known_;  // entities
   ReadBudget budget_;
   RunStatistics statistics_;
   StoredRun run_;

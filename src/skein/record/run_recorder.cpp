@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "skein/base/folder_lock.h"
 #include "skein/record/content_hash.h"
 #include "skein/record/run_writer.h"
 #include "skein/record/summary_recorder.h"
@@ -12,20 +13,47 @@ namespace skein::record {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// What a run has left. Its log belongs to the old database: left behind, it would be
+// played into the new.
+Result<void> remove_run(const fs::path& directory) {
+  for (const char* name :
+       {"run.sqlite", "run.sqlite-journal", "run.sqlite-wal", "run.sqlite-shm",
+        "scenario.yaml", "summary.json", "report.html"}) {
+    const fs::path file = directory / name;
+    std::error_code failed;
+    const fs::file_type type = fs::symlink_status(file, failed).type();
+    if (type == fs::file_type::not_found) continue;
+    const bool ours = type == fs::file_type::regular || type == fs::file_type::symlink;
+    if (ours && fs::remove(file, failed)) continue;
+    return Error{ErrorCode::kUnavailable, file.string(),
+                 "the old run cannot be removed: " +
+                     (ours ? failed.message() : std::string("it is no regular file")),
+                 ""};
+  }
+  return {};
+}
+
+}  // namespace
+
 struct RunRecorder::Parts {
-  Parts(fs::path place, RunInfo run, RunDatabase database,
+  Parts(fs::path place, FolderLock own, RunInfo run, RunDatabase database,
         const RunRecorderOptions& options)
       : directory(std::move(place)),
+        lock(std::move(own)),
         info(std::move(run)),
         writer(std::move(database), options.perimeter_period, options.messages,
                options.on_metrics) {}
 
   fs::path directory;
+  FolderLock lock;  // outlives what is written
   RunInfo info;
   ContentHash hash;
   RunWriter writer;
   std::map<std::string, double> extra;
   Time now;
+  std::uint64_t steps = 0;
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
 };
 
@@ -41,25 +69,21 @@ Result<std::unique_ptr<RunRecorder>> RunRecorder::create(
     return Error{ErrorCode::kUnavailable, directory.string(),
                  "the directory cannot be made: " + failed.message(),
                  "choose another place"};
+  auto lock = FolderLock::take(directory, "a run");
+  if (!lock) return lock.error();
   const fs::path file = directory / "run.sqlite";
-  if (fs::exists(file, failed)) {
+  if (fs::symlink_status(file, failed).type() != fs::file_type::not_found) {
     if (!options.overwrite)
       return Error{ErrorCode::kBadInput, directory.string(),
                    "there is a run in this directory already",
                    "choose another directory, or allow to overwrite"};
-    // The log belongs to the old database: left behind, it would be played into the new.
-    for (const char* name : {"run.sqlite", "run.sqlite-wal", "run.sqlite-shm",
-                             "summary.json", "report.html"}) {
-      fs::remove(directory / name, failed);
-      if (failed)
-        return Error{ErrorCode::kUnavailable, (directory / name).string(),
-                     "the old run cannot be removed: " + failed.message(), ""};
-    }
+    if (auto removed = remove_run(directory); !removed) return removed.error();
   }
   auto database = RunDatabase::create(file, info, options.max_size_bytes);
   if (!database) return database.error();
-  return std::unique_ptr<RunRecorder>(new RunRecorder(std::make_unique<Parts>(
-      directory, std::move(info), std::move(database).value(), options)));
+  return std::unique_ptr<RunRecorder>(new RunRecorder(
+      std::make_unique<Parts>(directory, std::move(lock).value(), std::move(info),
+                              std::move(database).value(), options)));
 }
 
 namespace {
@@ -84,6 +108,7 @@ void RunRecorder::record(const Record& record) {
 
 Result<void> RunRecorder::step_done(Time time) {
   parts_->now = time;
+  ++parts_->steps;
   return parts_->writer.status();
 }
 
@@ -103,9 +128,10 @@ void RunRecorder::set_figure(const std::string& name, double value) {
 
 Result<RunSummary> RunRecorder::close(bool interrupted) {
   if (auto done = parts_->writer.finish(); !done) return done.error();
-  const RunSummary summary = make_summary(
-      parts_->info, parts_->hash, parts_->writer.statistics(), parts_->extra, parts_->now,
-      std::chrono::steady_clock::now() - parts_->started, interrupted);
+  const RunSummary summary =
+      make_summary(parts_->info, parts_->hash, parts_->writer.statistics(), parts_->extra,
+                   {parts_->now, parts_->steps},
+                   std::chrono::steady_clock::now() - parts_->started, interrupted);
   if (auto done = parts_->writer.database().finish(summary); !done) return done.error();
   if (auto done = write_summary(summary, parts_->directory / "summary.json"); !done)
     return done.error();

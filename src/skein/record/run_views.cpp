@@ -41,17 +41,24 @@ Result<RunViews> RunViews::open(const std::filesystem::path& directory) {
   auto database = Sqlite::open(directory / "run.sqlite", Sqlite::Mode::kRead);
   if (!database) return database.error();
   RunViews views(std::move(database).value());
-  if (auto good = check_schema(views.database_); !good) return good.error();
+  if (auto good = check_store(views.database_); !good) return good.error();
   return views;
 }
 
 Result<Time> RunViews::last() const {
   Time last;
-  auto done =
-      for_each_row(database_,
-                   "SELECT max(coalesce((SELECT max(time_s) FROM estimates), 0),"
-                   " coalesce((SELECT max(time_s) FROM metrics), 0))",
-                   [&](const Statement& row) { last = Time::from_seconds(row.real(0)); });
+  auto done = for_each_row(
+      database_,
+      "SELECT max(coalesce((SELECT max(time_s) FROM estimates), 0),"
+      " coalesce((SELECT max(time_s) FROM metrics), 0)) AS end_s",
+      [&](const Statement& row) {
+        const double end = row.real(0);
+        if (end < 0 || end > kLongestRun)
+          row.refuse(0, "the end of a run, from 0 to 4e6 s");
+        else
+          last = Time::from_seconds(end);
+      },
+      "tables estimates and metrics");
   if (!done) return done.error();
   return last;
 }
@@ -77,25 +84,24 @@ Result<std::vector<StoredBelief>> RunViews::rings(const std::string& source,
                                                   const std::string& time,
                                                   Time at) const {
   std::vector<StoredBelief> all;
-  const std::string which = "p.source = '" + source + "' AND p." + time +
-                            " = (SELECT max(" + time +
-                            ") FROM perimeters q WHERE q.source = p.source AND"
-                            " q.believer_id = p.believer_id AND q.mission = p.mission AND"
-                            " q." +
-                            time + " <= " + seconds(at) + ")";
-  auto done = for_each_row(
-      database_,
-      "SELECT p.believer_id, p.mission, p.time_s, p.made_s, p.data FROM perimeters p"
-      " WHERE " +
-          which + " ORDER BY p.believer_id, p.mission, p.time_s, p.ring",
+  // The newest time is looked up once, not for each row.
+  const std::string newest = "JOIN (SELECT believer_id AS who, mission AS whose, max(" +
+                             time + ") AS at FROM perimeters WHERE source = '" + source +
+                             "' AND " + time + " <= " + seconds(at) +
+                             " GROUP BY believer_id, mission) ON who = believer_id AND "
+                             "whose = mission AND at = " +
+                             time + " WHERE source = '" + source +
+                             "' ORDER BY believer_id, mission, time_s, ring";
+  auto done = for_each_row_of(
+      database_, "perimeters", "believer_id, mission, time_s, made_s, data", newest,
       [&](const Statement& row) {
-        const Believer who{entity_id(row, 0), row.text(1)};
-        const Time valid = Time::from_seconds(row.real(2));
+        const Believer who{entity_id(row, 1), row.text(2)};
+        const Time valid = time_of_row(row, 3);
         if (all.empty() || all.back().who != who || all.back().boundary.time != valid) {
           all.push_back({who, {valid, {}}, std::nullopt});
-          if (!row.is_null(3)) all.back().made = Time::from_seconds(row.real(3));
+          if (!row.is_null(4)) all.back().made = time_of_row(row, 4);
         }
-        all.back().boundary.rings.push_back(ring_of(float_blob(row, 4)));
+        all.back().boundary.rings.push_back(ring_of(stored_ring(row, 5, kBeliefFloats)));
       });
   if (!done) return done.error();
   return all;
@@ -111,24 +117,23 @@ Result<std::vector<StoredBelief>> RunViews::forecasts(Time at) const {
 
 Result<std::vector<StoredPath>> RunViews::paths(Time at) const {
   std::map<std::uint32_t, StoredPath> paths;
-  auto done = for_each_row(
-      database_,
-      "SELECT e.entity_id, n.name, e.time_s, e.north_m, e.east_m FROM estimates e"
-      " JOIN entities n USING (entity_id) WHERE e.time_s <= " +
-          seconds(at) + " ORDER BY e.entity_id, e.time_s",
+  auto done = for_each_row_of(
+      database_, "estimates",
+      "estimates.entity_id, n.name, estimates.time_s, north_m, east_m",
+      "JOIN entities n USING (entity_id) WHERE estimates.time_s <= " + seconds(at) +
+          " ORDER BY estimates.entity_id, estimates.time_s",
       [&](const Statement& row) {
-        const Time time = Time::from_seconds(row.real(2));
-        const auto [found, first] =
-            paths.try_emplace(static_cast<std::uint32_t>(row.integer(0)));
+        const Time time = time_of_row(row, 3);
+        const auto [found, first] = paths.try_emplace(entity_id(row, 1).value);
         StoredPath& path = found->second;
         if (first) {
-          path.name = row.text(1);
+          path.name = row.text(2);
           path.from = time;
         } else if ((time - path.until).seconds() < kPathStep) {
           return;
         }
         path.until = time;
-        path.places.emplace_back(row.real(3), row.real(4));
+        path.places.emplace_back(row.real(4), row.real(5));
       });
   if (!done) return done.error();
   std::vector<StoredPath> all;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <deque>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +13,7 @@
 #include <vector>
 
 #include "skein/base/id.h"
+#include "skein/base/time.h"
 #include "skein/record/sqlite.h"
 
 namespace skein::record {
@@ -46,19 +49,44 @@ class RowSink {
 };
 
 /// The numbers of a blob of 32-bit floats.
-inline std::vector<float> float_blob(const Statement& row, int column) {
+/// @param each  numbers of an item, of which there are whole ones.
+inline std::vector<float> float_blob(const Statement& row, int column,
+                                     std::size_t each = 1) {
   const std::span<const std::byte> bytes = row.blob(column);
+  if (bytes.size() % (each * sizeof(float)) != 0) {
+    row.refuse(column,
+               "a multiple of " + std::to_string(each * sizeof(float)) + " bytes");
+    return {};
+  }
   std::vector<float> floats(bytes.size() / sizeof(float));
   if (!floats.empty())
     std::memcpy(floats.data(), bytes.data(), floats.size() * sizeof(float));
   return floats;
 }
 
-inline EntityId entity_id(const Statement& row, int column) {
-  return EntityId{static_cast<std::uint32_t>(row.integer(column))};
+/// The points of a stored ring, of which the first two numbers are north and east [m]:
+/// not on another planet.
+inline std::vector<float> stored_ring(const Statement& row, int column,
+                                      std::size_t each) {
+  constexpr float kMaxPlace = 1e8F;
+  std::vector<float> floats = float_blob(row, column, each);
+  for (std::size_t k = 0; k + each <= floats.size(); k += each)
+    if (!(std::abs(floats[k]) <= kMaxPlace && std::abs(floats[k + 1]) <= kMaxPlace))
+      row.refuse(column, "places within 1e8 m");
+  return floats;
 }
 
-/// The row that a SELECT statement has reached, for columns::take().
+inline EntityId entity_id(const Statement& row, int column) {
+  return EntityId{static_cast<std::uint32_t>(
+      row.whole(column, 0, std::numeric_limits<std::uint32_t>::max()))};
+}
+
+inline Time time_of_row(const Statement& row, int column) {
+  return Time::from_seconds(row.seconds(column));
+}
+
+/// The row that a SELECT statement has reached, for columns::take(); its first column is
+/// the number of the row.
 class RowSource {
  public:
   explicit RowSource(const Statement& row) : row_(row) {}
@@ -88,14 +116,14 @@ class RowSource {
     ++column_;
     return false;
   }
-  void check(bool good) { good_ = good_ && good; }
-  /// Whether all values made sense.
-  bool good() const { return good_; }
+  /// Of the value that was taken last; the statement keeps what is wrong.
+  void check(bool good, std::string_view allowed = "what a run stores") {
+    if (!good) row_.refuse(column_ - 1, allowed);
+  }
 
  private:
   const Statement& row_;
-  int column_ = 0;
-  bool good_ = true;
+  int column_ = 1;  // behind the number of the row
 };
 
 }  // namespace skein::record

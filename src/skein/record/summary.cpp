@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "skein/record/file.h"
+#include "skein/base/output_file.h"
 
 namespace skein::record {
 

@@ -29,14 +29,21 @@ class SummaryRecorder final : public Recorder {
   RunStatistics statistics_;
   std::map<std::string, double> extra_;
   Time now_;
+  std::uint64_t steps_ = 0;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
-/// Puts a summary together. `wall` is the time that the run took on the clock on the
-/// wall.
+/// How far a run has come.
+struct RunReach {
+  Time simulated;           ///< time of its last step
+  std::uint64_t steps = 0;  ///< 0: it has none
+};
+
+/// Puts a summary together, of what is finite. `wall` is the time that the run took on
+/// the clock on the wall.
 RunSummary make_summary(const RunInfo& info, const ContentHash& hash,
                         const RunStatistics& statistics,
-                        const std::map<std::string, double>& extra, Time simulated,
+                        const std::map<std::string, double>& extra, RunReach reach,
                         std::chrono::duration<double> wall, bool interrupted);
 
 }  // namespace skein::record

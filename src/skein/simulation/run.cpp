@@ -109,7 +109,7 @@ Result<RunOutcome> run(World& world, const RunOptions& options, Recorder& record
     if (pace.show_due()) console.show(progress_at(now));
   }
   stepper.finish();
-  outcome.simulated = std::min(now, options.duration);
+  outcome.simulated = std::max(Time(), std::min(now, options.duration));
   outcome.wall_s = pace.wall_s();
   outcome.deadline_misses = pace.misses();
   console.show(progress_at(outcome.simulated));

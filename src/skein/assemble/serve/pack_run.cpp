@@ -31,6 +31,7 @@ using Json = nlohmann::ordered_json;
 constexpr double kShortestStep = 1;   // between frames [s]
 constexpr double kMaxPlaces = 15000;  // of all aircraft in all frames
 constexpr double kReadAhead = 60;     // of the run, at once [s]
+constexpr double kMaxPieces = 2000;   // that a long run is read in
 constexpr float kHeightStep = 0.25F;  // of the ground [m]
 constexpr double kMargin = 1.1;       // around what is seen at first
 constexpr double kMinExtent = 200;    // [m]
@@ -98,8 +99,10 @@ class RunPacker {
         [this](Time time, const Record& record) { take(time, record); },
         [](Time, const MetricSample&) {}};
     const Time end = recorded_.end();
+    const Time piece =
+        Time::from_seconds(std::max(kReadAhead, end.seconds() / kMaxPieces));
     for (Time until; until < end;) {
-      until = std::min(until + Time::from_seconds(kReadAhead), end);
+      until = std::min(until + piece, end);
       if (auto done = recorded_.advance(until, listener); !done) return done;
     }
     // A run without an end was cut off before its first second.

@@ -18,7 +18,15 @@ class ReplayPlayer {
   ReplayPlayer(record::RecordStream& recorded, hmi::LiveFeed& feed, double speed)
       : recorded_(recorded), feed_(feed), speed_(speed) {}
 
+  // Reading that was interrupted is the end that was asked for.
   Result<void> play(const std::atomic<bool>& stop) {
+    auto played = play_until(stop);
+    if (!played && played.error().code == ErrorCode::kInterrupted) return {};
+    return played;
+  }
+
+ private:
+  Result<void> play_until(const std::atomic<bool>& stop) {
     if (auto done = go_to(0); !done) return done.error();
     auto last = std::chrono::steady_clock::now();
     while (!stop) {
@@ -35,7 +43,6 @@ class ReplayPlayer {
     return {};
   }
 
- private:
   Result<void> obey(const hmi::ClientCommand& request) {
     Result<void> done;
     if (const auto* seek = std::get_if<hmi::SeekRequest>(&request.what)) {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <utility>
 
 #include "skein/base/log.h"
+#include "skein/base/output_file.h"
 #include "skein/link/flight_model/flightgear.h"
 #include "skein/link/flight_model/x_plane.h"
 
@@ -60,12 +60,11 @@ class XPlane final : public Protocol {
   XPlaneReader reader_;
 };
 
-Result<void> write_file(const std::filesystem::path& place, const std::string& content) {
-  std::error_code error;
+Result<void> write_with_folder(const std::filesystem::path& place,
+                               const std::string& content) {
+  std::error_code error;  // is said when the file is written
   std::filesystem::create_directories(place.parent_path(), error);
-  std::ofstream out(place, std::ios::binary);
-  if (out << content << std::flush) return {};
-  return Error{ErrorCode::kUnavailable, place.string(), "cannot be written.", ""};
+  return write_file(place, content);
 }
 
 }  // namespace
@@ -111,7 +110,7 @@ Result<void> FlightModelLink::open() {
 Result<void> FlightModelLink::start_program() {
   if (!program_) return {};
   for (const auto& [place, content] : options_.files)
-    if (auto written = write_file(place, content); !written) return written;
+    if (auto written = write_with_folder(place, content); !written) return written;
   return program_->start();
 }
 

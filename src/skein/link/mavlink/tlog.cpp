@@ -21,26 +21,22 @@ std::vector<std::byte> without_signature(const Frame& frame) {
 }
 
 Result<TlogWriter> TlogWriter::create(const std::filesystem::path& file) {
-  std::ofstream out(file, std::ios::binary);
-  if (!out)
-    return Error{ErrorCode::kUnavailable, file.string(), "cannot be written.", ""};
-  return TlogWriter(file, std::move(out));
+  auto out = OutputStream::open(file);
+  if (!out) return out.error();
+  return TlogWriter(std::move(out).value());
 }
 
 void TlogWriter::write(std::int64_t unix_us, const Frame& frame) {
   std::array<char, 8> time;
   for (std::size_t i = 0; i < time.size(); ++i)
     time[i] = static_cast<char>(unix_us >> (8 * (time.size() - 1 - i)));
-  out_.write(time.data(), time.size());
+  out_.write({time.data(), time.size()});
   const std::vector<std::byte> bytes = without_signature(frame);
-  out_.write(reinterpret_cast<const char*>(bytes.data()),
-             static_cast<std::streamsize>(bytes.size()));
+  out_.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 Result<void> TlogWriter::flush() {
-  out_.flush();
-  if (out_) return {};
-  return Error{ErrorCode::kUnavailable, file_.string(), "could not be written.", ""};
+  return out_.flush();
 }
 
 }  // namespace skein::mavlink

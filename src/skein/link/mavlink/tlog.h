@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
+#include "skein/base/output_file.h"
 #include "skein/base/result.h"
 #include "skein/link/mavlink/frame.h"
 
@@ -31,11 +31,9 @@ class TlogWriter {
   Result<void> flush();
 
  private:
-  TlogWriter(std::filesystem::path file, std::ofstream out)
-      : file_(std::move(file)), out_(std::move(out)) {}
+  explicit TlogWriter(OutputStream out) : out_(std::move(out)) {}
 
-  std::filesystem::path file_;
-  std::ofstream out_;
+  OutputStream out_;
 };
 
 }  // namespace skein::mavlink
