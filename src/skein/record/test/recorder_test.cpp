@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
+#include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "sample_run.h"
@@ -235,6 +238,65 @@ TEST(RunRecorder, OrdersAndBeliefsThatDifferHashDifferently) {
   };
   EXPECT_NE(belief(1), belief(2));
   EXPECT_EQ(belief(0.0), belief(-0.0)) << "numbers count by value";
+}
+
+TEST(RunRecorder, HoldsNoInfiniteNumbers) {
+  const TemporaryFolder folder("finite");
+  auto recorder = RunRecorder::create(folder.path(), kInfo).value();
+  recorder->record(EntityRecord{EntityId{1}, "uav", "aircraft"});
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EstimateRecord estimate{EntityId{1}, {}, {}};
+  estimate.status.reserve = -kInfinity;  // the wind lets it get nowhere
+  recorder->record(estimate);
+  recorder->set_figure("more", kInfinity);
+  recorder->set_figure("none", std::nan(""));
+  const RunSummary summary = recorder->close().value();
+  for (const auto& [name, value] : summary.numbers)
+    EXPECT_TRUE(std::isfinite(value)) << name;
+  EXPECT_FALSE(summary.number("min_reserve_uav"));
+  EXPECT_FALSE(summary.number("more"));
+  EXPECT_EQ(
+      ask(folder.path(), "SELECT count(*) FROM summary WHERE value IN (9e999, -9e999)"),
+      0);
+  EXPECT_EQ(ask(folder.path(), "SELECT count(*) FROM estimates WHERE reserve IS NULL"),
+            1);
+}
+
+TEST(RunRecorder, IsTheOnlyOneInItsFolder) {
+  const TemporaryFolder folder("alone");
+  RunRecorderOptions overwrite;
+  overwrite.overwrite = true;
+  auto first = RunRecorder::create(folder.path(), kInfo).value();
+  first->record(EntityRecord{EntityId{1}, "uav", "aircraft"});
+  const auto second = RunRecorder::create(folder.path(), kInfo, overwrite);
+  ASSERT_FALSE(second);
+  EXPECT_NE(second.error().text().find("writes there now"), std::string::npos);
+  ASSERT_TRUE(first->close());
+  first.reset();
+  EXPECT_TRUE(RunRecorder::create(folder.path(), kInfo, overwrite));
+}
+
+// Whoever reads a run that is replaced has a log of the same name as the new one.
+TEST(RunRecorder, AReaderOfTheOldRunTakesNothingFromTheNewOne) {
+  const TemporaryFolder folder("replaced");
+  {
+    auto cut_off = RunRecorder::create(folder.path() / "live", kInfo).value();
+    record_sample(*cut_off, 20);
+    usleep(500000);  // committed
+    std::filesystem::copy(folder.path() / "live", folder.path() / "run");
+  }
+  auto reader = std::make_unique<Sqlite>(
+      Sqlite::open(folder.path() / "run" / "run.sqlite", Sqlite::Mode::kRead).value());
+  RunRecorderOptions overwrite;
+  overwrite.overwrite = true;
+  auto recorder = RunRecorder::create(folder.path() / "run", kInfo, overwrite).value();
+  recorder->record(EntityRecord{EntityId{1}, "uav", "aircraft"});
+  usleep(500000);
+  reader.reset();
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "run" / "run.sqlite-wal"));
+  EXPECT_EQ(ask(folder.path() / "run", "SELECT count(*) FROM entities"), 1);
+  ASSERT_TRUE(recorder->close());
+  EXPECT_EQ(ask(folder.path() / "run", "SELECT count(*) FROM entities"), 1);
 }
 
 TEST(RunRecorder, GivesBackTheCommandsToTheLastBit) {

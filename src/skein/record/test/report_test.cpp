@@ -361,7 +361,10 @@ TEST(Report, ShowsRunsThatHoldLittle) {
     ASSERT_TRUE(recorder->close());
   };
   make("nothing", [](RunRecorder&) {});
-  make("one_row", [](RunRecorder& r) { r.record(TruthRecord{{}, EntityId{1}, {}}); });
+  make("one_row", [](RunRecorder& r) {
+    r.record(EntityRecord{EntityId{1}, "uav", "aircraft"});
+    r.record(TruthRecord{{}, EntityId{1}, {}});
+  });
   make("no_fire", [](RunRecorder& r) {
     r.record(PerimeterRecord{{}, EntityId{0}, {}, believed_circle({}, {0, 0}, 100, 5)});
   });
