@@ -37,7 +37,7 @@ std::string to_line(const BatchItem& item, const std::string& print,
   line["content_hash"] = summary.content_hash;
   line["numbers"] = summary.numbers;
   line["warnings"] = summary.warnings;
-  return line.dump();
+  return line.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 // Results of earlier runs, by fingerprint. A line that was cut off by a kill is skipped.

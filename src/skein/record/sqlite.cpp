@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "skein/base/valid_text.h"
+
 namespace skein::record {
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const {
@@ -33,9 +35,8 @@ std::int64_t Statement::integer(int column) const {
 
 std::string Statement::text(int column) const {
   const std::span<const std::byte> bytes = blob(column);
-  std::string text(bytes.size(), '\0');
-  if (!bytes.empty()) std::memcpy(text.data(), bytes.data(), bytes.size());
-  return text;
+  return valid_text(
+      std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 bool Statement::is_null(int column) const {

@@ -39,6 +39,7 @@ class Statement {
   bool failed() const { return failed_; }
   double real(int column) const;
   std::int64_t integer(int column) const;
+  /// Whatever bytes the file holds there, as valid_text() has them.
   std::string text(int column) const;
   bool is_null(int column) const;
   /// Valid until the next step.
