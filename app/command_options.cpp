@@ -47,6 +47,13 @@ void add_serve_options(CLI::App& command, std::optional<std::string>& serve,
                   "PEM file of its key; default: the certificate's file.")
       ->needs(certificate);
   command
+      .add_option("--host", page.hosts,
+                  "A name by which browsers reach this machine, such as "
+                  "ground.example.org, besides its own and those of the certificate; "
+                  "may be repeated.")
+      ->type_name("NAME")
+      ->needs(wanted);
+  command
       .add_option("--viewer-origin", page.viewer_origins,
                   "A page of another server that may watch by Foxglove's protocol, by "
                   "its origin, such as https://app.foxglove.dev; may be repeated.")

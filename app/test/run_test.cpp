@@ -17,6 +17,26 @@ TEST_F(Program, AFullDiskEndsTheRunAndKeepsWhatWasWritten) {
   EXPECT_GT(query(folder_ / "full" / "run.sqlite", "select count(*) from truth"), 100);
 }
 
+// The fault: a byte that is no UTF-8 ended the run with an internal error.
+TEST_F(Program, BytesThatAreNoTextDoNotEndARun) {
+  write("s.yaml", "duration_s: 20\naircraft: [{name: scout}]\n");
+  std::string lines = "pause\n";
+  lines +=
+      std::string("zone on \xff\xfe circle 0,0 50\ntask \xb0 fly_to 5,5\nadd a\0b\n", 52);
+  lines += "fault scout-1 sensor \xff\nwind \xff\n\xff\xfe\nmission start \xed\xa0\x80\n";
+  RandomStream random(38, 0, Purpose::kTest);
+  for (int k = 0; k < 3000; ++k) lines += static_cast<char>(random.bits() % 256);
+  input_ = write("orders", lines + "\nzone on last circle 900,900 50\nresume\n");
+  const Finished finished = run({"run", "s.yaml", "--commands", "--out", "bytes"});
+  EXPECT_EQ(finished.status, 0) << finished.err;
+  EXPECT_EQ(finished.err.find("internal error"), std::string::npos) << finished.err;
+  const fs::path database = folder_ / "bytes" / "run.sqlite";
+  EXPECT_EQ(query(database, "select count(*) from zones where name = 'last'"), 1);
+  input_.clear();
+  EXPECT_EQ(run({"run", "--replay", "bytes"}).status, 0);
+  EXPECT_EQ(run({"report", "bytes"}).status, 0);
+}
+
 TEST_F(Program, TheLogSaysWhatHappens) {
   write("s.yaml", "duration_s: 60\naircraft: [{count: 2}]\n");
   const Finished quiet = run({"run", "s.yaml", "--out", "quiet"});

@@ -236,7 +236,7 @@ missions:
 
 async function asksForATokens() {
   const tokens = join(folder, "tokens");
-  writeFileSync(tokens, "viewer-viewer-viewer viewer Vera\noperator-operator-1 operator Anna\n");
+  writeFileSync(tokens, "viewer-viewer-viewer viewer Vera\noperator-operator-1 operator Anna\n", { mode: 0o600 });
   const run = await serve(program, "run", scenario, "--serve", "0", "--tokens", tokens, "--overwrite", "--out", join(folder, "tokens-run"));
   const page = await open(run.place);
   const field = page.locator("input[type=password]");

@@ -115,7 +115,7 @@ void put_list(Storage storage, const T& list, Sink& sink) {
     wire::encode(list, coded);
     sink.put(std::move(coded));
   } else if (kOfIds || storage == Storage::kJson) {
-    sink.put(json::detail::item(list).dump());
+    sink.put(json::line_of(json::detail::item(list)));
   } else if constexpr (!kOfIds) {
     std::vector<float> floats;
     put_floats(list, floats);
@@ -127,7 +127,7 @@ template <class T, class Sink>
 void put_choice(Storage storage, const T& value, Sink& sink) {
   std::visit([&]<class A>(const A&) { sink.put(json::alternative_kind<A>()); }, value);
   if (storage == Storage::kKindOnly) return;
-  sink.put(json::to_json(value).dump());
+  sink.put(json::line_of(json::to_json(value)));
   if (storage != Storage::kCoded) return;
   std::vector<std::byte> coded;
   wire::encode(value, coded);

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "skein/base/valid_text.h"
 #include "skein/data/json.h"
 #include "skein/data/task_text.h"
 #include "skein/data/words.h"
@@ -288,9 +289,7 @@ Result<Command> parse_object(std::string_view line) {
   return command;
 }
 
-}  // namespace
-
-Result<Command> parse_command(std::string_view line) {
+Result<Command> parse_valid(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(" \t");
   if (begin != std::string_view::npos && line[begin] == '{') return parse_object(line);
   const std::vector<std::string_view> all = words::split(line);
@@ -318,6 +317,12 @@ Result<Command> parse_command(std::string_view line) {
   if (verb == "remove" && given.size() == 1)
     return Command(RemoveCommand{std::string(given[0])});
   return wrong("this is no command.", kUsage);
+}
+
+}  // namespace
+
+Result<Command> parse_command(std::string_view line) {
+  return is_valid_text(line) ? parse_valid(line) : parse_valid(valid_text(line));
 }
 
 }  // namespace skein

@@ -24,6 +24,7 @@ namespace skein {
 /// Programs may write it as a JSON object instead, with its kind and the fields of its
 /// description: {"kind": "speed", "factor": 10}.
 ///
+/// @param line  any bytes: what is no text becomes U+FFFD (valid_text.h).
 /// Fails: kBadInput when the line is none of these; the message says what is wrong.
 Result<Command> parse_command(std::string_view line);
 

@@ -24,6 +24,12 @@ namespace skein::json {
 
 using Json = nlohmann::ordered_json;
 
+/// JSON in one line. Never fails: text that is no UTF-8, which only a plugin's own values
+/// can hold (valid_text.h), is written with U+FFFD in its place.
+inline std::string line_of(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 /// `name` behind `prefix`, with an underscore where both say something.
 std::string joined(std::string_view prefix, std::string_view name);
 

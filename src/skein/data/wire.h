@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "skein/base/id.h"
 #include "skein/base/result.h"
 #include "skein/base/time.h"
+#include "skein/base/valid_text.h"
 #include "skein/data/describe.h"
 #include "skein/data/type_traits.h"
 #include "skein/geo/rotation.h"
@@ -306,8 +308,8 @@ class Reader {
     } else if constexpr (std::is_same_v<T, std::string>) {
       Reader inner({});
       if (!get_part(inner)) return false;
-      value.assign(reinterpret_cast<const char*>(inner.bytes_.data()),
-                   inner.bytes_.size());
+      value = valid_text(std::string_view(
+          reinterpret_cast<const char*>(inner.bytes_.data()), inner.bytes_.size()));
       return true;
     } else if constexpr (kIsOptional<T>) {
       bool has = false;

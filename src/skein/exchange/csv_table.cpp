@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/base/valid_text.h"
 #include "skein/exchange/csv_cells.h"
 
 namespace skein::exchange {
@@ -76,6 +77,11 @@ Result<std::uint64_t> CsvRow::whole(std::size_t column, std::uint64_t most) cons
 Result<void> read_csv_table(std::string_view text, const std::string& place,
                             std::span<const CsvColumn> columns,
                             const std::function<Result<void>(const CsvRow&)>& take) {
+  std::string replaced;
+  if (!is_valid_text(text)) {
+    replaced = valid_text(text);
+    text = replaced;
+  }
   std::vector<std::size_t> meaning;
   std::vector<std::string_view> cells(columns.size());
   bool has_header = false;

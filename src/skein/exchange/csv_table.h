@@ -44,6 +44,7 @@ class CsvRow {
 /// Reads a table of comma-separated values whose first line names the columns, in any
 /// order; others are ignored, blank lines are no rows.
 ///
+/// @param text   any bytes: what is no text becomes U+FFFD (valid_text.h).
 /// @param place  name of the file, for messages.
 /// @param take   called for each row; an error of it ends the reading.
 /// Fails: kBadInput with the line: a column is missing or there twice, a row has another

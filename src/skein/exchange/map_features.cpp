@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "skein/base/valid_text.h"
 #include "skein/exchange/csv_cells.h"
 #include "skein/exchange/map_geometry.h"
 #include "skein/geo/gdal/gdal_guard.h"
@@ -121,7 +122,8 @@ class Reader {
 
   void note_properties(OGRFeatureDefnH definition) {
     for (int i = 0; i < OGR_FD_GetFieldCount(definition); ++i) {
-      const std::string name = OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i));
+      const std::string name =
+          valid_text(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i)));
       if (const std::string known = looks_like(name); !known.empty())
         warnings_.push_back(fmt::format("{}: property {} is not known; is {} meant?",
                                         file_, name, known));
@@ -131,12 +133,14 @@ class Reader {
   Result<void> read_properties(OGRFeatureH feature, MapFeature& out) const {
     for (int i = 0; i < OGR_F_GetFieldCount(feature); ++i) {
       if (OGR_F_IsFieldSetAndNotNull(feature, i) == 0) continue;
-      const std::string name = OGR_Fld_GetNameRef(OGR_F_GetFieldDefnRef(feature, i));
-      if (lower(name) == "name") out.name = OGR_F_GetFieldAsString(feature, i);
-      if (name == "what") out.what = OGR_F_GetFieldAsString(feature, i);
+      const std::string name =
+          valid_text(OGR_Fld_GetNameRef(OGR_F_GetFieldDefnRef(feature, i)));
+      if (lower(name) == "name")
+        out.name = valid_text(OGR_F_GetFieldAsString(feature, i));
+      if (name == "what") out.what = valid_text(OGR_F_GetFieldAsString(feature, i));
       const auto& known = known_properties();
       if (std::find(known.begin(), known.end(), name) == known.end()) continue;
-      const std::string text = OGR_F_GetFieldAsString(feature, i);
+      const std::string text = valid_text(OGR_F_GetFieldAsString(feature, i));
       const OGRFieldType type = OGR_Fld_GetType(OGR_F_GetFieldDefnRef(feature, i));
       const bool is_number =
           type == OFTReal || type == OFTInteger || type == OFTInteger64;

@@ -1,6 +1,8 @@
 #include "skein/assemble/serve/fire_files.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -46,6 +48,13 @@ std::vector<exchange::GisFeature> features_of(const hmi::FireState& fire,
 }
 
 }  // namespace
+
+bool is_fire_file(std::string_view path) {
+  if (!path.starts_with(kPath)) return false;
+  path.remove_prefix(kPath.size());
+  return std::any_of(std::begin(kFormats), std::end(kFormats),
+                     [&](const FireFormat& format) { return format.ending == path; });
+}
 
 std::optional<hmi::HttpAnswer> fire_file(std::string_view path,
                                          const hmi::FireState& fire,

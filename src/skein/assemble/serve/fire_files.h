@@ -10,6 +10,9 @@
 
 namespace skein::assemble {
 
+/// Whether a path is that of such a file: "/api/fire.gpkg"...
+bool is_fire_file(std::string_view path);
+
 /// What is believed of fires as a file for geographic information systems: boundaries
 /// with their bands, and predictions, as `skein export` writes them.
 /// @param path     "/api/fire.gpkg", ".shp.zip", ".geojson" or ".kml".

@@ -2,15 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "skein/assemble/aircraft_builder.h"
 #include "skein/assemble/serve/fire_files.h"
+#include "skein/assemble/serve/resident_memory.h"
 #include "skein/assemble/serve/task_forms.h"
 #include "skein/assemble/serve/terrain_bytes.h"
+#include "skein/data/json.h"
 #include "skein/layer/hmi/serve/page_files.h"
+#include "skein/layer/hmi/serve/token_file.h"
 #include "skein/scenario/utc.h"
 
 namespace skein::assemble {
@@ -67,21 +70,16 @@ Result<std::string> origin_of(const std::string& imagery) {
   const std::size_t scheme = imagery.find("://");
   const bool is_web =
       imagery.substr(0, 8) == "https://" || imagery.substr(0, 7) == "http://";
-  const bool is_plain = imagery.find_first_of(" ;,'\"<>\\\r\n\t") == std::string::npos;
+  const bool is_plain = std::all_of(imagery.begin(), imagery.end(), [](char c) {
+    constexpr std::string_view kParts = ";,'\"<>\\";
+    return c > ' ' && c <= '~' && kParts.find(c) == std::string_view::npos;
+  });
   if (!is_web || !is_plain || imagery.find("{z}") == std::string::npos)
     return Error{ErrorCode::kBadInput, imagery,
                  "the address of pictures begins with http:// or https:// and has {z}, "
                  "{x} and {y} in it.",
                  ""};
   return imagery.substr(0, imagery.find('/', scheme + 3));
-}
-
-Result<hmi::AccessTable> read_tokens(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(in)), {});
-  if (!in.good() && !in.eof())
-    return Error{ErrorCode::kNotFound, file, "the file with tokens cannot be read.", ""};
-  return hmi::AccessTable::parse(text, file);
 }
 
 Result<hmi::WebOptions> web_options(const ServeOptions& options) {
@@ -94,13 +92,14 @@ Result<hmi::WebOptions> web_options(const ServeOptions& options) {
     web.guest_protocols.emplace_back(name);
   }
   web.guest_origins = options.viewer_origins;
+  web.hosts = options.hosts;
   web.certificate_file = options.certificate_file;
   web.key_file = options.key_file.empty() ? options.certificate_file : options.key_file;
   auto origin = origin_of(options.imagery);
   if (!origin) return origin.error();
   web.imagery_origin = std::move(origin).value();
   if (options.tokens_file.empty()) return web;
-  auto table = read_tokens(options.tokens_file);
+  auto table = hmi::read_token_file(options.tokens_file);
   if (!table) return table.error();
   web.access = std::move(table).value();
   return web;
@@ -115,12 +114,14 @@ hmi::HttpAnswer with_body(std::string type, std::shared_ptr<const std::string> b
 
 hmi::HttpAnswer with_json(const Json& value) {
   return with_body("application/json",
-                   std::make_shared<const std::string>(value.dump() + "\n"));
+                   std::make_shared<const std::string>(json::line_of(value) + "\n"));
 }
 
-}  // namespace
-
-namespace {
+hmi::HttpAnswer nothing() {
+  hmi::HttpAnswer answer = with_json({{"error", "there is nothing of this name."}});
+  answer.status = 404;
+  return answer;
+}
 
 void name_run(const scenario::Scenario& scenario, RunFacts& facts) {
   facts.name = scenario.name;
@@ -143,7 +144,7 @@ RunFacts facts_of(const scenario::Scenario& scenario, const KindRegistry& kinds,
   run["centre"] = place(ready.map_centre);
   run["extent_m"] = kExtent;
   RunFacts facts;
-  facts.description = run.dump();
+  facts.description = json::line_of(run);
   facts.terrain = sample_terrain(*ready.world.terrain, ready.map_centre, kHalfSize);
   facts.duration = ready.options.duration;
   facts.speed = ready.options.speed;
@@ -164,7 +165,7 @@ RunFacts facts_of(const scenario::Scenario& scenario,
   run["centre"] = place(terrain.low + Vec2::Constant(half));
   run["extent_m"] = kExtent;
   RunFacts facts;
-  facts.description = run.dump();
+  facts.description = json::line_of(run);
   facts.terrain = std::move(terrain);
   facts.duration = recorded.end();
   facts.speed = 1;
@@ -182,7 +183,7 @@ Result<std::unique_ptr<RunPage>> RunPage::open(const ServeOptions& options,
   run["imagery"] = options.imagery;
   const std::string mark = fmt::format("{:016x}", random_mark());
   run["run"] = mark;
-  page->description_ = run.dump();
+  page->description_ = json::line_of(run);
   if (auto frame = geo::LocalFrame::at(facts.origin)) page->frame_ = frame.value();
   page->start_s_ = facts.start_s;
   page->terrain_ = std::make_shared<const std::string>(terrain_bytes(facts.terrain));
@@ -221,25 +222,52 @@ std::string RunPage::place() const {
   return server_->place();
 }
 
-Json RunPage::health() const {
+Json RunPage::health(const hmi::Access& access) const {
   const RunClock clock = feed_->clock();
-  return {{"status", "ok"},
-          {"time_s", clock.time.seconds()},
-          {"duration_s", clock.duration.seconds()},
-          {"speed", clock.speed},
-          {"wanted_speed", clock.wanted_speed},
-          {"paused", clock.paused},
-          {"over", clock.over},
-          {"misses", clock.misses},
-          {"clients", hub_->clients()}};
+  const hmi::FeedSizes held = feed_->sizes();
+  const hmi::WebStatistics web = server_->statistics();
+  Json health = {{"status", "ok"},
+                 {"time_s", clock.time.seconds()},
+                 {"duration_s", clock.duration.seconds()},
+                 {"speed", clock.speed},
+                 {"wanted_speed", clock.wanted_speed},
+                 {"paused", clock.paused},
+                 {"over", clock.over},
+                 {"misses", clock.misses},
+                 {"clients", hub_->clients()},
+                 {"memory",
+                  {{"resident_bytes", resident_bytes()},
+                   {"state_records", held.state_records},
+                   {"waiting_records", held.waiting_records},
+                   {"metric_samples", held.metric_samples},
+                   {"waiting_requests", hub_->waiting_requests()},
+                   {"unsent_bytes", web.waiting_bytes}}},
+                 {"connections",
+                  {{"now", web.connections},
+                   {"refused", web.refused_connections},
+                   {"evicted", web.evicted_connections},
+                   {"slow", web.slow_connections}}}};
+  // For those who steer: viewers need not know of somebody's guesses.
+  const bool is_viewer = access.role == AccessRole::kViewer;
+  health["wrong_tokens"] = is_viewer ? Json(nullptr) : Json(web.wrong_tokens);
+  return health;
+}
+
+bool RunPage::is_known(std::string_view path) const {
+  return path == "/api/run" || path == "/api/terrain" || path == "/api/health" ||
+         is_fire_file(path) || hmi::page_file(path);
 }
 
 hmi::HttpAnswer RunPage::answer(const hmi::HttpRequest& request) const {
-  if (request.method != "GET" && request.method != "HEAD") {
-    hmi::HttpAnswer answer = with_json({{"error", "only GET is answered here."}});
+  const bool is_read = request.method == "GET" || request.method == "HEAD";
+  if (!is_read && is_known(request.path)) {
+    hmi::HttpAnswer answer =
+        with_json({{"error", "only GET and HEAD are answered here."}});
     answer.status = 405;
+    answer.allow = "GET, HEAD";
     return answer;
   }
+  if (!is_read) return nothing();
   if (request.path == "/api/run") {
     Json run = Json::parse(description_);
     run["you"] = {{"role", name_of(request.access.role)}, {"name", request.access.name}};
@@ -247,14 +275,12 @@ hmi::HttpAnswer RunPage::answer(const hmi::HttpRequest& request) const {
   }
   if (request.path == "/api/terrain")
     return with_body("application/octet-stream", terrain_);
-  if (request.path == "/api/health") return with_json(health());
+  if (request.path == "/api/health") return with_json(health(request.access));
   if (frame_)
     if (auto file = fire_file(request.path, feed_->fire(), *frame_, start_s_))
       return *std::move(file);
   if (auto file = hmi::page_file(request.path)) return *std::move(file);
-  hmi::HttpAnswer answer = with_json({{"error", "there is nothing of this name."}});
-  answer.status = 404;
-  return answer;
+  return nothing();
 }
 
 }  // namespace skein::assemble

@@ -60,7 +60,8 @@ class RunPage {
  private:
   RunPage() = default;
   hmi::HttpAnswer answer(const hmi::HttpRequest& request) const;
-  nlohmann::ordered_json health() const;
+  nlohmann::ordered_json health(const hmi::Access& access) const;
+  bool is_known(std::string_view path) const;
 
   std::string description_;  // JSON, but for whom it is said to
   std::shared_ptr<const std::string> terrain_;

@@ -15,6 +15,8 @@ struct ServeOptions {
   std::string tokens_file;       ///< empty: everybody on this machine may do everything
   std::string certificate_file;  ///< empty: without TLS
   std::string key_file;
+  /// Names by which others reach this machine: "ground.example.org".
+  std::vector<std::string> hosts;
   /// Pages of other servers that may watch by Foxglove's protocol, by their origins:
   /// "https://app.example.org".
   std::vector<std::string> viewer_origins;

@@ -50,7 +50,7 @@ TaskKind from_now(TaskKind what, Time now) {
 }
 
 std::string text_of(const Command& command) {
-  return json::to_json(command).dump();
+  return json::line_of(json::to_json(command));
 }
 
 // The aircraft alone, from now on.

@@ -1,4 +1,5 @@
-// Any line is refused, or gives a command that can be coded and read back.
+// Any line is refused, or gives a command that can be coded and read back, and whose
+// texts are valid.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,6 +8,7 @@
 
 #include "skein/base/check.h"
 #include "skein/data/command_text.h"
+#include "skein/data/json.h"
 #include "skein/data/wire.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -16,6 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::byte> coded;
   skein::wire::encode(command.value(), coded);
   SKEIN_CHECK(skein::wire::decode<skein::Command>(coded).ok());
+  static_cast<void>(skein::json::to_json(command.value()).dump());  // throws for others
   const auto* change = std::get_if<skein::ZoneChange>(&command.value());
   if (!change) return 0;
   SKEIN_CHECK(!change->zone.name.empty());

@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include "skein/base/random.h"
+#include "skein/data/json.h"
+#include "skein/data/wire.h"
+
 namespace skein::command_text_test {
 namespace {
 
@@ -14,6 +20,55 @@ T parsed(std::string_view line) {
     return {};
   }
   return std::get<T>(command.value());
+}
+
+// Of whatever bytes it is: what is taken as a command can be written as JSON, which is
+// strict about text, and coded.
+void check_texts_of(const std::string& line) {
+  const auto command = parse_command(line);
+  if (!command) return;
+  ASSERT_NO_THROW(static_cast<void>(json::to_json(command.value()).dump())) << line;
+  std::vector<std::byte> coded;
+  wire::encode(command.value(), coded);
+  ASSERT_TRUE(wire::decode<Command>(coded)) << line;
+}
+
+TEST(CommandText, TextsOfACommandAreValidWhateverBytesWereTyped) {
+  EXPECT_EQ(parsed<AddCommand>("add a\xff\xfe").aircraft, "a\uFFFD\uFFFD");
+  EXPECT_EQ(parsed<AddCommand>(std::string_view("add a\0b", 7)).aircraft, "a\uFFFDb");
+  EXPECT_EQ(parsed<ZoneChange>("zone on \xb0 circle 0,0 50").zone.name, "\uFFFD");
+  const std::vector<std::string> lines = {
+      "zone on field circle 0,0 50",
+      "task uav-1 route 0,0 10,5 laps 3",
+      "task uav-1 give uav-2",
+      "task uav-1 leader uav-2 -20,10",
+      "task uav-1 plan file plan.kml",
+      "team of base add after 1,2 group survey 0,0 9,0 9,9",
+      "fault uav-1 sensor imu",
+      "mission start fire",
+      "allocation reject 3 base",
+      "flight uav-1 speed 18 height 150",
+      R"({"kind":"task","aircraft":"uav-1","what":{"kind":"fly_to","north_m":1}})"};
+  RandomStream random(38, 0, Purpose::kTest);
+  for (int run = 0; run < 20'000; ++run) {
+    std::string line = lines[random.bits() % lines.size()];
+    for (std::uint64_t k = random.bits() % 4; k-- > 0;) {
+      const auto at = random.bits() % line.size();
+      if (random.bits() % 2 == 0)
+        line[at] = static_cast<char>(random.bits() % 256);
+      else
+        line.insert(at, 1, static_cast<char>(0x80 + random.bits() % 128));
+    }
+    check_texts_of(line);
+  }
+}
+
+TEST(Wire, TextsOfOthersAreValid) {
+  std::vector<std::byte> coded;
+  wire::encode(Command(AddCommand{"a\xff\xfe"}), coded);
+  const auto command = wire::decode<Command>(coded);
+  ASSERT_TRUE(command);
+  EXPECT_EQ(std::get<AddCommand>(command.value()).aircraft, "a\uFFFD\uFFFD");
 }
 
 TEST(CommandText, SaysEveryCommand) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "skein/base/valid_text.h"
 #include "skein/link/autopilot_client/request_steps.h"
 #include "skein/link/autopilot_client/virtual_senses.h"
 #include "skein/link/mavlink/dispatch.h"
@@ -296,7 +297,8 @@ void AutopilotClient::hear_text(const mavlink::Statustext& text, Time now) {
   if (text.id != 0 && text.chunk_seq == 0) long_text_.clear();
   if (long_text_.size() < kMaxText) long_text_ += part;
   if (text.id != 0 && part.size() == text.text.size()) return;
-  std::string whole = std::exchange(long_text_, {});
+  // Only now: a character may begin in one part and end in the next.
+  std::string whole = valid_text(std::exchange(long_text_, {}));
   if (text.severity <= kWarning) {
     complaint_ = whole;
     complained_ = now;

@@ -134,7 +134,8 @@ T unpack(std::span<const std::byte> payload) {
   return message;
 }
 
-/// Text in an array of characters: ended by a zero only where it is shorter.
+/// The bytes in an array of characters: ended by a zero only where there are fewer. They
+/// are a vehicle's: to compare with; who keeps or shows them calls valid_text() first.
 template <std::size_t N>
 std::string_view text_of(const std::array<char, N>& field) {
   return {field.data(), static_cast<std::size_t>(

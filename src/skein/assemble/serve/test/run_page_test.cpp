@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -163,8 +164,51 @@ TEST(RunPage, SaysWhatThereIsToKnowOfTheRun) {
   EXPECT_EQ(hmi::ask(port, {.target = "/api/health"}).result_int(), 200U);
   EXPECT_EQ(hmi::ask(port, {.target = "/"}).result_int(), 200U);
   EXPECT_EQ(hmi::ask(port, {.target = "/../etc/passwd"}).result_int(), 404U);
-  EXPECT_EQ(hmi::ask(port, {.method = hmi::http::verb::put, .target = "/"}).result_int(),
-            405U);
+  for (const char* known :
+       {"/", "/api/run", "/api/terrain", "/api/health", "/api/fire.kml"}) {
+    const auto other = hmi::ask(port, {.method = hmi::http::verb::put, .target = known});
+    EXPECT_EQ(other.result_int(), 405U) << known;
+    EXPECT_EQ(other["Allow"], "GET, HEAD") << known;
+  }
+  EXPECT_EQ(
+      hmi::ask(port, {.method = hmi::http::verb::put, .target = "/nothing"}).result_int(),
+      404U);
+}
+
+TEST(RunPage, HealthSaysWhatTheServerHoldsAndHasMetWith) {
+  const auto folder = folder_for("tokens");
+  std::filesystem::create_directories(folder);
+  const std::string tokens = (folder / "tokens").string();
+  std::ofstream(tokens)
+      << "viewer-viewer-viewer viewer\noperator-operator-1 operator \xff\n";
+  std::filesystem::permissions(tokens, std::filesystem::perms(0600));
+  const scenario::Scenario scenario = read();
+  const KindRegistry kinds;
+  const auto built = build(scenario, kinds);
+  ASSERT_TRUE(built);
+  ServeOptions options = any_port();
+  options.tokens_file = tokens;
+  const auto page =
+      RunPage::open(options, facts_of(scenario, kinds, built.value(), "test"));
+  ASSERT_TRUE(page) << page.error().text();
+  const auto asks = [&](const char* what, const char* token) {
+    return hmi::ask(
+        port_of(*page.value()),
+        {.target = what, .headers = {{"Authorization", std::string("Bearer ") + token}}});
+  };
+  EXPECT_EQ(asks("/api/health", "wrong-wrong-wrong-1").result_int(), 401U);
+  const Json health = Json::parse(asks("/api/health", "operator-operator-1").body());
+  EXPECT_EQ(health["wrong_tokens"], 1);
+  EXPECT_GT(health["memory"]["resident_bytes"], 1'000'000);
+  EXPECT_EQ(health["connections"]["refused"], 0);
+  EXPECT_GE(health["connections"]["now"], 1);
+  EXPECT_TRUE(
+      Json::parse(asks("/api/health", "viewer-viewer-viewer").body())["wrong_tokens"]
+          .is_null());
+  // A name that is no text is one by now.
+  EXPECT_EQ(Json::parse(asks("/api/run", "operator-operator-1").body())["you"]["name"],
+            "\uFFFD");
+  std::filesystem::remove_all(folder);
 }
 
 TEST(RunPage, AnswersWhatItsDescriptionForProgramsSays) {

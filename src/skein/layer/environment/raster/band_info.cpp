@@ -8,13 +8,14 @@
 #include <charconv>
 #include <string_view>
 
+#include "skein/base/valid_text.h"
 #include "skein/layer/environment/raster/date_time.h"
 
 namespace skein::environment {
 namespace {
 
 std::string text_or_empty(const char* text) {
-  return text == nullptr ? "" : text;
+  return valid_text(text);
 }
 
 std::string lower(std::string text) {

@@ -13,6 +13,7 @@
 #include <optional>
 #include <sstream>
 
+#include "skein/base/valid_text.h"
 #include "skein/geo/gdal/gdal_guard.h"
 #include "skein/geo/gdal/gdal_handles.h"
 
@@ -165,9 +166,9 @@ std::vector<Attribute> attributes_of(OGRFeatureH feature) {
     const OGRFieldType type = OGR_Fld_GetType(definition);
     const bool date = type == OFTDate || type == OFTDateTime;
     const std::string text = date ? date_text(feature, i, type == OFTDateTime)
-                                  : OGR_F_GetFieldAsString(feature, i);
+                                  : valid_text(OGR_F_GetFieldAsString(feature, i));
     if (text.find_first_not_of(' ') == std::string::npos) continue;
-    attributes.push_back({OGR_Fld_GetNameRef(definition), text});
+    attributes.push_back({valid_text(OGR_Fld_GetNameRef(definition)), text});
   }
   return attributes;
 }
@@ -249,7 +250,7 @@ Result<std::vector<VectorFeature>> VectorReader::read(
       }
       VectorFeature& out = features.emplace_back();
       out.outline.place = place;
-      out.layer = OGR_L_GetName(layer);
+      out.layer = valid_text(OGR_L_GetName(layer));
       out.attributes = attributes_of(feature.get());
       Collector collector(place, to_degrees, points, warnings);
       if (auto good = collector.add(OGR_F_GetGeometryRef(feature.get()), out.outline);

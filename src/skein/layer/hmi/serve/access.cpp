@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "skein/base/shown_text.h"
+#include "skein/base/valid_text.h"
 
 namespace skein::hmi {
 namespace {
@@ -74,7 +75,7 @@ Result<AccessTable> AccessTable::parse(std::string_view text, const std::string&
                    ""};
     if (table.find(token))
       return Error{ErrorCode::kBadInput, where, "this token is there twice.", ""};
-    table.tokens_.push_back({std::string(token), {*role, std::string(trimmed(line))}});
+    table.tokens_.push_back({std::string(token), {*role, valid_text(trimmed(line))}});
   }
   if (table.tokens_.empty())
     return Error{ErrorCode::kBadInput, place, "there is no token in it.",
@@ -107,20 +108,52 @@ std::string token_cookie(std::string_view token, bool secure) {
                      secure ? "; Secure" : "");
 }
 
+bool is_same_name(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+std::optional<std::string_view> bearer_token(std::string_view authorization) {
+  std::string_view rest = authorization;
+  if (!is_same_name(take_word(rest), "Bearer")) return std::nullopt;
+  return trimmed(rest);
+}
+
+bool comes_from_elsewhere(const RequestSource& source, bool is_page) {
+  if (!is_same_origin(source.origin, source.host)) return true;
+  const bool is_own = source.fetch_site.empty() || source.fetch_site == "same-origin" ||
+                      source.fetch_site == "none";
+  return !is_own && !(is_page && source.fetch_mode == "navigate");
+}
+
 bool is_same_origin(std::string_view origin, std::string_view host) {
   if (origin.empty()) return true;
   const std::size_t scheme = origin.find("://");
   return scheme != std::string_view::npos && origin.substr(scheme + 3) == host;
 }
 
+std::string_view name_in_host(std::string_view host) {
+  if (!host.starts_with('[')) return host.substr(0, host.find(':'));
+  const std::size_t end = host.find(']');
+  return end == std::string_view::npos ? std::string_view() : host.substr(1, end - 1);
+}
+
 bool names_this_machine(std::string_view host) {
-  const bool is_v6 = !host.empty() && host.front() == '[';
-  const std::size_t end = is_v6 ? host.find(']') : std::min(host.find(':'), host.size());
-  if (end == std::string_view::npos) return false;
-  const std::string_view name = host.substr(0, end + (is_v6 ? 1 : 0));
-  if (name == "localhost" || name == "[::1]") return true;
-  return name.substr(0, 4) == "127." &&
+  const std::string_view name = name_in_host(host);
+  if (host.starts_with('[')) return name == "::1";
+  if (is_same_name(name, "localhost")) return true;
+  return name.starts_with("127.") &&
          name.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
+bool is_address(std::string_view host) {
+  const std::string_view name = name_in_host(host);
+  if (name.empty()) return false;
+  if (host.starts_with('['))
+    return name.find_first_not_of("0123456789abcdefABCDEF:.") == std::string_view::npos;
+  return name.find_first_not_of("0123456789.") == std::string_view::npos;
 }
 
 }  // namespace skein::hmi

@@ -43,12 +43,18 @@ void LiveFeed::record(const Record& record) {
   if (hub_.is_watched() && is_streamed(record)) add(LiveRecord{record});
 }
 
+bool LiveFeed::is_aircraft(const std::string& name) const {
+  return std::any_of(names_.begin(), names_.end(),
+                     [&](const auto& each) { return each.second == name; });
+}
+
 // What was given before has been obeyed when the next command is.
 void LiveFeed::take_given(const CommandRecord& given) {
   if (recorded_) return;
   settle(RequestState::kAccepted);
   if (const auto* wind = std::get_if<WindCommand>(&given.command)) wind_ = *wind;
-  if (const auto* flight = std::get_if<FlightChangeCommand>(&given.command)) {
+  if (const auto* flight = std::get_if<FlightChangeCommand>(&given.command);
+      flight && is_aircraft(flight->aircraft)) {
     FlightChangeCommand& last = flights_[flight->aircraft];
     last.aircraft = flight->aircraft;
     if (flight->altitude_agl) last.altitude_agl = flight->altitude_agl;
@@ -255,11 +261,17 @@ RunClock LiveFeed::clock() const {
   return told_clock_;
 }
 
+FeedSizes LiveFeed::sizes() const {
+  const std::lock_guard guard(lock_);
+  return told_sizes_;
+}
+
 void LiveFeed::publish() {
   take_metrics();
   {
     const std::lock_guard guard(lock_);
     told_clock_ = clock_;
+    told_sizes_ = {state_.size(), items_.size(), metrics_.size()};
   }
   if (!hub_.is_watched()) {
     items_.clear();

@@ -32,6 +32,13 @@ struct PreviewOrder {
 /// Finds out what an aircraft would do, and answers by LiveHub::reply().
 using Previewer = std::function<void(ClientNumber, std::uint32_t number, PreviewOrder)>;
 
+/// What the feed keeps, in numbers of things.
+struct FeedSizes {
+  std::size_t state_records = 0;    ///< that who comes late is told
+  std::size_t waiting_records = 0;  ///< until the next publication
+  std::size_t metric_samples = 0;
+};
+
 /// Tells those who watch what a run records, some ten times a second of wall time, and
 /// them alone: nothing of what is simulated depends on it.
 ///
@@ -73,6 +80,8 @@ class LiveFeed final : public Recorder {
 
   /// How far the run was when it was told last. By any thread.
   RunClock clock() const;
+  /// What was kept then. By any thread.
+  FeedSizes sizes() const;
 
   /// Of a run that is shown again: how its clock goes.
   void set_clock(bool paused, double wanted_speed);
@@ -97,6 +106,7 @@ class LiveFeed final : public Recorder {
   SharedBytes batch(bool with_truth, bool state) const;
   void add(LiveItem item);
   void preview(const ClientCommand& asked, const TaskCommand& task);
+  bool is_aircraft(const std::string& name) const;
   void take_given(const CommandRecord& given);
   void settle(RequestState state, const std::string& text = {});
   void take_fate(const Event& event);
@@ -110,6 +120,7 @@ class LiveFeed final : public Recorder {
   mutable std::mutex lock_;
   std::vector<MetricSample> new_metrics_;  // under the lock
   RunClock told_clock_;                    // under the lock
+  FeedSizes told_sizes_;                   // under the lock
   RunClock clock_;
   Moment next_{};
   Moment measured_at_{};  // where the measured speed counts from

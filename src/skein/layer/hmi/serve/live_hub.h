@@ -82,6 +82,12 @@ class LiveHub final : public WebListener {
 
   // By the server's thread.
 
+  /// Commands and questions that wait for the run.
+  std::size_t waiting_requests() {
+    const std::lock_guard guard(lock_);
+    return commands_.size();
+  }
+
   /// How many watch.
   std::size_t clients() const { return watchers_.size(); }
   HttpAnswer answer(const HttpRequest& request) override;

@@ -1,5 +1,7 @@
 #include "skein/layer/hmi/serve/live_state.h"
 
+#include <algorithm>
+
 #include "skein/geo/rotation.h"
 
 namespace skein::hmi {
@@ -141,6 +143,33 @@ void LiveState::take_message(const MessageRecord& message) {
   by.task_time_to_go = report->task_time_to_go;
 }
 
+void LiveState::keep(RecordKey key, const Record& record) {
+  const std::size_t kind = key.kind;
+  const auto [at, is_new] =
+      current_.insert_or_assign(std::move(key), Current{record, ++heard_});
+  if (is_new && ++subjects_[kind] > kMaxSubjects) drop_oldest(kind);
+}
+
+// A quarter at once, so that the search for them is rare.
+void LiveState::drop_oldest(std::size_t kind) {
+  const auto begin = current_.lower_bound(RecordKey{kind});
+  const auto end = current_.lower_bound(RecordKey{kind + 1});
+  std::vector<std::uint64_t> heard;
+  for (auto at = begin; at != end; ++at) heard.push_back(at->second.heard);
+  const auto quarter = heard.begin() + static_cast<std::ptrdiff_t>(heard.size() / 4);
+  std::nth_element(heard.begin(), quarter, heard.end());
+  const std::uint64_t oldest_kept = *quarter;
+  for (auto at = begin; at != end;)
+    at = at->second.heard < oldest_kept ? current_.erase(at) : std::next(at);
+  subjects_[kind] = heard.size() - heard.size() / 4;
+}
+
+std::size_t LiveState::size() const {
+  std::size_t sum = things_.size() + current_.size();
+  for (const auto& [kind, records] : recent_) sum += records.size();
+  return sum;
+}
+
 void LiveState::take(const Record& record) {
   if (const auto* truth = std::get_if<TruthRecord>(&record)) {
     if (truth->id.value >= kMaxEntities) return;
@@ -164,12 +193,12 @@ void LiveState::take(const Record& record) {
   if (const auto* message = std::get_if<MessageRecord>(&record)) take_message(*message);
   if (!is_streamed(record)) return;
   if (std::visit([]<class T>(const T&) { return kIsThing<T>; }, record)) {
-    things_.push_back(record);
+    if (things_.size() < kMaxThings) things_.push_back(record);
   } else if (auto key = key_of(record)) {
-    if (is_over(record))
-      current_.erase(*key);
-    else
-      current_.insert_or_assign(*std::move(key), record);
+    if (!is_over(record))
+      keep(*std::move(key), record);
+    else if (current_.erase(*key) > 0)
+      --subjects_[record.index()];
   } else {
     std::deque<Record>& all = recent_[record.index()];
     all.push_back(record);

@@ -33,10 +33,18 @@ bool is_streamed(const Record& record);
 std::optional<Record> without_truth(const Record& record);
 
 /// What somebody who comes late needs to know of a run: how everything is, and the last
-/// of what has happened. Grows with entities and zones, not with time.
+/// of what has happened. Grows with entities, not with time: of subjects that come again
+/// and again (tasks of a team, tracks, zones) those are kept that were heard of last.
 class LiveState {
  public:
+  /// Subjects of one kind of record that are kept at most.
+  static constexpr std::size_t kMaxSubjects = 20'000;
+  /// Entities, objects and traffic that are kept at most.
+  static constexpr std::size_t kMaxThings = 100'000;
+
   void take(const Record& record);
+  /// Records that are kept.
+  std::size_t size() const;
 
   Time now() const { return now_; }
   FleetFrame fleet() const;
@@ -47,7 +55,7 @@ class LiveState {
   template <class Visit>
   void for_each(Visit&& visit) const {
     for (const Record& record : things_) visit(record);
-    for (const auto& [key, record] : current_) visit(record);
+    for (const auto& [key, current] : current_) visit(current.record);
     for (const auto& [kind, records] : recent_)
       for (const Record& record : records) visit(record);
   }
@@ -63,13 +71,21 @@ class LiveState {
     std::optional<double> task_time_to_go;
     bool known = false;
   };
+  struct Current {
+    Record record;
+    std::uint64_t heard = 0;  // order of what was taken
+  };
   Seen& seen(EntityId id);
+  void keep(RecordKey key, const Record& record);
+  void drop_oldest(std::size_t kind);
   void take_message(const MessageRecord& message);
 
   Time now_;
   std::vector<Record> things_;  // entities, objects, traffic
   std::set<EntityId> stations_;
-  std::map<RecordKey, Record> current_;
+  std::map<RecordKey, Current> current_;
+  std::map<std::size_t, std::size_t> subjects_;  // of current_, by kind
+  std::uint64_t heard_ = 0;
   std::map<std::size_t, std::deque<Record>> recent_;  // by kind
   std::vector<Seen> seen_;                            // by number
 };

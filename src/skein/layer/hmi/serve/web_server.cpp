@@ -1,10 +1,15 @@
 #include "skein/layer/hmi/serve/web_server.h"
 
 #include <fmt/format.h>
+#include <openssl/x509v3.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <utility>  // before Asio, which lacks it in C++20
 
 #include <algorithm>
+#include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -13,6 +18,8 @@
 #include <map>
 #include <thread>
 
+#include "skein/base/log.h"
+#include "skein/layer/hmi/serve/login_guard.h"
 #include "skein/layer/hmi/serve/web_session.h"
 
 namespace skein::hmi {
@@ -28,10 +35,42 @@ Error unavailable(const WebOptions& options, const Failure& failure) {
           "Another port: --serve ADDRESS:PORT; port 0 takes a free one."};
 }
 
+// A server's connections leave half of the files that a process may have open to the run.
+ConnectionLimits within_open_files(ConnectionLimits limits) {
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) != 0 || files.rlim_cur == RLIM_INFINITY)
+    return limits;
+  const auto half = static_cast<std::size_t>(files.rlim_cur / 2);
+  limits.in_all = std::min(limits.in_all, half);
+  limits.per_address = std::min(limits.per_address, half);
+  return limits;
+}
+
+// What this machine is called by itself and, without a name server, by its neighbours.
+std::vector<std::string> own_names() {
+  std::array<char, 256> name{};
+  if (::gethostname(name.data(), name.size() - 1) != 0 || name[0] == '\0') return {};
+  return {name.data(), std::string(name.data()) + ".local"};
+}
+
+void warn_of_key(const std::string& file) {
+  struct stat about {};
+  if (::stat(file.c_str(), &about) == 0 && (about.st_mode & 007) != 0)
+    log_line(
+        LogLevel::kWarning,
+        file + ": everybody on this machine can read the page's key; chmod 600 " + file);
+}
+
 }  // namespace
 
 struct WebServer::Impl final : web::Server {
-  Impl(const WebOptions& how, WebListener& to) : listener(to), limits(how) {}
+  Impl(const WebOptions& how, WebListener& to)
+      : listener(to),
+        limits(how),
+        names(own_names()),
+        table(within_open_files(how.connections)) {
+    names.insert(names.end(), how.hosts.begin(), how.hosts.end());
+  }
 
   ~Impl() override {
     if (thread.joinable()) {
@@ -60,6 +99,17 @@ struct WebServer::Impl final : web::Server {
     return number;
   }
   bool is_full() const override { return clients.size() >= limits.most_clients; }
+  bool knows_host(std::string_view host) override;
+  void set_waiting(ConnectionTable::Number number, bool waits) override {
+    table.set_waiting(number, waits);
+  }
+  void end_connection(ConnectionTable::Number number) override {
+    table.leave(number);
+    connections.erase(number);
+  }
+  std::chrono::milliseconds wrong_token(const std::string& group) override;
+  void count_slow() override { ++met.slow_connections; }
+  void serve(tcp::socket socket);
   void leave(ClientNumber number) override { clients.erase(number); }
 
   web::Client* find(ClientNumber number) const {
@@ -69,6 +119,12 @@ struct WebServer::Impl final : web::Server {
 
   WebListener& listener;
   WebOptions limits;
+  std::vector<std::string> names;
+  // Connections that end with `io` still leave here.
+  ConnectionTable table;
+  std::map<ConnectionTable::Number, std::weak_ptr<web::Connection>> connections;
+  LoginGuard guard;
+  WebStatistics met;
   net::io_context io{1};
   net::ssl::context tls{net::ssl::context::tls_server};
   tcp::acceptor acceptor{io};
@@ -96,7 +152,60 @@ Result<void> WebServer::Impl::load_certificate() {
     return Error{ErrorCode::kBadInput, limits.key_file,
                  fmt::format("no key can be read from it: {}.", failure.message()),
                  "It is the PEM file of the certificate's private key."};
+  warn_of_key(limits.key_file);
   return {};
+}
+
+// A page of elsewhere whose name leads here asks by that name. Numbers cannot be led
+// elsewhere, and with tokens no name but these is answered.
+bool WebServer::Impl::knows_host(std::string_view host) {
+  if (names_this_machine(host)) return true;
+  if (limits.access.is_open()) return false;
+  if (is_address(host)) return true;
+  const std::string_view name = name_in_host(host);
+  if (name.empty()) return false;
+  for (const std::string& own : names)
+    if (is_same_name(own, name)) return true;
+  X509* certificate = SSL_CTX_get0_certificate(tls.native_handle());
+  return certificate &&
+         X509_check_host(certificate, name.data(), name.size(), 0, nullptr) == 1;
+}
+
+std::chrono::milliseconds WebServer::Impl::wrong_token(const std::string& group) {
+  const auto now = std::chrono::steady_clock::now();
+  const auto wait = guard.wrong(group, now);
+  met.wrong_tokens = guard.count();
+  const int tries = guard.remembered(group, now);
+  // The first ones, then each time that they are twice as many.
+  if (tries == 1 || tries == LoginGuard::kFreeTries + 1 ||
+      (met.wrong_tokens & (met.wrong_tokens - 1)) == 0)
+    log_line(LogLevel::kWarning, fmt::format("page: wrong token from {} ({} in all)",
+                                             group, met.wrong_tokens));
+  return wait;
+}
+
+void WebServer::Impl::serve(tcp::socket socket) {
+  Failure failure;
+  const auto from = socket.remote_endpoint(failure);
+  if (failure) return;  // it has gone
+  std::string group = address_group(from.address().to_string());
+  const auto entry = table.enter(group);
+  if (entry.evicted) {
+    ++met.evicted_connections;
+    const auto found = connections.find(*entry.evicted);
+    if (found != connections.end())
+      if (const auto connection = found->second.lock()) connection->abort();
+  }
+  if (!entry.taken) {
+    ++met.refused_connections;
+    return;  // closes it
+  }
+  socket.set_option(tcp::no_delay(true), failure);
+  web::Seat seat(*this, *entry.taken, std::move(group));
+  connections[*entry.taken] =
+      limits.certificate_file.empty()
+          ? web::serve(std::move(socket), std::move(seat), *this)
+          : web::serve(std::move(socket), std::move(seat), tls, *this);
 }
 
 Result<void> WebServer::Impl::listen() {
@@ -136,12 +245,7 @@ void WebServer::Impl::accept() {
       });
       return;
     }
-    Failure ignored;
-    socket.set_option(tcp::no_delay(true), ignored);
-    if (limits.certificate_file.empty())
-      web::serve(std::move(socket), *this);
-    else
-      web::serve(std::move(socket), tls, *this);
+    serve(std::move(socket));
     accept();
   });
 }
@@ -180,6 +284,14 @@ std::size_t WebServer::waiting(ClientNumber client) const {
 
 void WebServer::disconnect(ClientNumber client) {
   if (web::Client* found = impl_->find(client)) found->close();
+}
+
+WebStatistics WebServer::statistics() const {
+  WebStatistics now = impl_->met;
+  now.connections = impl_->table.size();
+  for (const auto& [number, client] : impl_->clients)
+    now.waiting_bytes += client->waiting();
+  return now;
 }
 
 }  // namespace skein::hmi

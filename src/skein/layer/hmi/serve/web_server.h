@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,6 +11,7 @@
 
 #include "skein/base/result.h"
 #include "skein/layer/hmi/serve/access.h"
+#include "skein/layer/hmi/serve/connection_table.h"
 
 namespace skein::hmi {
 
@@ -35,6 +37,18 @@ struct HttpAnswer {
   bool may_be_kept = false;  ///< by the browser, until its name changes
   bool gzip = false;         ///< the body is compressed
   std::string file = {};     ///< it is saved under this name; empty: shown
+  /// The methods that there are of what was asked for, with status 405: "GET, HEAD".
+  std::string allow = {};
+};
+
+/// What a server has met with since it was opened.
+struct WebStatistics {
+  std::size_t connections = 0;            ///< now
+  std::size_t waiting_bytes = 0;          ///< given to send(), and not sent yet
+  std::uint64_t refused_connections = 0;  ///< there was no room
+  std::uint64_t evicted_connections = 0;  ///< made room for others
+  std::uint64_t slow_connections = 0;     ///< closed: they sent or read too slowly
+  std::uint64_t wrong_tokens = 0;
 };
 
 /// What a server asks whoever it serves; by the server's thread alone.
@@ -61,20 +75,37 @@ struct WebOptions {
   /// by `guest_protocols`.
   std::vector<std::string> guest_origins, guest_protocols;
   std::string imagery_origin;  ///< pages may load pictures from there; empty: none
+  /// Names by which others reach this machine, besides its own ones and those of the
+  /// certificate; not those of a server without tokens.
+  std::vector<std::string> hosts;
   std::size_t most_clients = 256;
+  ConnectionLimits connections;
+  /// How long who asks, reads or is silent may take.
+  struct Patience {
+    std::chrono::milliseconds header{10'000};  ///< of the first request, with TLS
+    std::chrono::milliseconds next{30'000};    ///< until and with the next header
+    std::chrono::milliseconds body{30'000};
+    std::chrono::milliseconds answer{120'000};  ///< until it has been read
+    std::chrono::milliseconds message{30'000};  ///< of a WebSocket, until it was read
+  };
+  Patience patience;
 };
 
 /// One port for pages, an HTTP interface and WebSockets.
 ///
 /// Has a thread of its own once it is started. Messages of clients are limited in size
 /// and rate; who is too slow, too fast or too large is disconnected. Requests of pages
-/// that come from another server are refused, and without tokens those that do not name
-/// this machine too.
+/// that come from another server are refused, and those that call this machine by a name
+/// that is not its own. Connections are limited in all and of each address; wrong tokens
+/// are answered the later the more there have been of an address.
 class WebServer {
  public:
   static constexpr std::size_t kMaxMessage = 65536;
   static constexpr double kMessagesPerSecond = 100;
   static constexpr std::size_t kMaxBody = 4 << 20;
+  static constexpr std::size_t kMaxBodyBeforeLogin = 65536;
+  /// What may wait for a client that does not read; more ends the connection.
+  static constexpr std::size_t kMaxWaiting = 64 << 20;
 
   /// Takes the port; who comes waits until start().
   /// @param listener  outlives the server.
@@ -101,6 +132,7 @@ class WebServer {
   /// Bytes that have been given to send() for a client and are not sent yet.
   std::size_t waiting(ClientNumber client) const;
   void disconnect(ClientNumber client);
+  WebStatistics statistics() const;
 
  private:
   struct Impl;

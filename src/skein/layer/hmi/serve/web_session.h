@@ -6,6 +6,7 @@
 #include <boost/asio/ssl/context.hpp>
 #include <memory>
 
+#include "skein/layer/hmi/serve/connection_table.h"
 #include "skein/layer/hmi/serve/web_server.h"
 
 // One connection of a server: requests, until it becomes a WebSocket. For web_server.cpp
@@ -21,10 +22,25 @@ class Client {
   virtual void close() = 0;
 };
 
+/// A connection, of whatever kind.
+class Connection {
+ public:
+  virtual ~Connection() = default;
+  /// Closes it for others; what is under way fails.
+  virtual void abort() = 0;
+};
+
 /// What connections need of their server.
 class Server {
  public:
   virtual ~Server() = default;
+  /// Whether a Host header names this server.
+  virtual bool knows_host(std::string_view host) = 0;
+  virtual void set_waiting(ConnectionTable::Number number, bool waits) = 0;
+  virtual void end_connection(ConnectionTable::Number number) = 0;
+  /// A wrong token was given. @returns how long its answer waits.
+  virtual std::chrono::milliseconds wrong_token(const std::string& group) = 0;
+  virtual void count_slow() = 0;
   virtual const WebOptions& options() const = 0;
   virtual WebListener& to() = 0;
   virtual bool is_full() const = 0;
@@ -32,10 +48,35 @@ class Server {
   virtual void leave(ClientNumber client) = 0;
 };
 
-/// Serves a connection until it ends; `server` outlives it.
-void serve(boost::asio::ip::tcp::socket socket, Server& server);
+/// A connection's place among all of the server's, until it ends; `server` outlives it.
+class Seat {
+ public:
+  Seat(Server& server, ConnectionTable::Number number, std::string group)
+      : server_(&server), number_(number), group_(std::move(group)) {}
+  Seat(Seat&& other) noexcept
+      : server_(std::exchange(other.server_, nullptr)),
+        number_(other.number_),
+        group_(std::move(other.group_)) {}
+  Seat& operator=(Seat&&) = delete;
+  ~Seat() {
+    if (server_) server_->end_connection(number_);
+  }
+
+  void set_waiting(bool waits) const { server_->set_waiting(number_, waits); }
+  /// Whom the connection comes from: address_group().
+  const std::string& group() const { return group_; }
+
+ private:
+  Server* server_;
+  ConnectionTable::Number number_;
+  std::string group_;
+};
+
+/// Serves a connection until it ends; `server` outlives it. What can close it before.
+std::weak_ptr<Connection> serve(boost::asio::ip::tcp::socket socket, Seat seat,
+                                Server& server);
 /// The same over TLS.
-void serve(boost::asio::ip::tcp::socket socket, boost::asio::ssl::context& tls,
-           Server& server);
+std::weak_ptr<Connection> serve(boost::asio::ip::tcp::socket socket, Seat seat,
+                                boost::asio::ssl::context& tls, Server& server);
 
 }  // namespace skein::hmi::web

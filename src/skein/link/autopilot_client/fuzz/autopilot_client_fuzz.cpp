@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "skein/base/valid_text.h"
 #include "skein/link/autopilot_client/autopilot_client.h"
 #include "skein/link/mavlink/dispatch.h"
 #include "skein/link/mavlink/fuzz/message_feed.h"
@@ -32,7 +33,7 @@ using Feed = mavlink::MessageFeed<
 constexpr std::uint8_t kVehicle = 7, kHere = 245;
 constexpr int kMaxBurst = 1000;            // frames of one call
 constexpr std::size_t kMaxReports = 1000;  // of one step
-constexpr std::size_t kMaxText = 1000;
+constexpr std::size_t kMaxText = 2000;
 
 AutopilotClientOptions options_of(std::uint8_t byte) {
   AutopilotClientOptions options;
@@ -149,8 +150,10 @@ struct Subject {
       SKEIN_CHECK(motion->q_NB.coeffs().allFinite() && motion->w_NB_B.allFinite());
       SKEIN_CHECK(motion->wind_N.allFinite());
     }
-    if (const auto* text = std::get_if<VehicleText>(&report))
+    if (const auto* text = std::get_if<VehicleText>(&report)) {
       SKEIN_CHECK(text->text.size() <= kMaxText);
+      SKEIN_CHECK(is_valid_text(text->text));
+    }
   }
 
   void check_sent(Channel channel, std::span<const std::byte> bytes) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace skein::hmi::live_state_test {
 namespace {
@@ -96,6 +98,28 @@ TEST(LiveState, DoesNotGrowWithTime) {
   EXPECT_EQ(events.size(), 1000U);
   EXPECT_EQ(events.back().time, Time::from_seconds(19999));
   EXPECT_EQ(kept(state).size(), 1000U);
+}
+
+// Of whatever comes with a new number or name each time.
+TEST(LiveState, KeepsTheSubjectsThatWereHeardOfLast) {
+  LiveState state;
+  const auto name = [](std::size_t k) { return "zone " + std::to_string(k); };
+  state.take(zone("kept", true));
+  for (std::size_t k = 0; k < 3 * LiveState::kMaxSubjects; ++k) {
+    state.take(zone(name(k).c_str(), true));
+    if (k % 1000 == 0) state.take(zone("kept", true));
+    ASSERT_LE(state.size(), LiveState::kMaxSubjects);
+  }
+  std::set<std::string> names;
+  for (const ZoneRecord& each : kept_of<ZoneRecord>(state))
+    names.insert(each.change.zone.name);
+  EXPECT_GE(names.size(), LiveState::kMaxSubjects / 2);
+  EXPECT_TRUE(names.contains("kept"));
+  EXPECT_FALSE(names.contains(name(0)));
+  for (std::size_t k = 1; k < LiveState::kMaxSubjects / 2; ++k)
+    EXPECT_TRUE(names.contains(name(3 * LiveState::kMaxSubjects - k)));
+  for (const std::string& each : names) state.take(zone(each.c_str(), false));
+  EXPECT_EQ(state.size(), 0U);
 }
 
 TEST(LiveState, FrameHasWhatAircraftBelieveAndWhatStationsHaveHeard) {

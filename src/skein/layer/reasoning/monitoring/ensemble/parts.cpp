@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 namespace skein::monitoring {
 namespace {
@@ -165,6 +166,31 @@ Mask kept_inside(const model::Grid& grid, const Evidence& evidence,
 
 }  // namespace
 
+void Evidence::add(const Vec2& p, bool inside) {
+  constexpr std::size_t kFresh = 256;
+  Side& side = sides_[inside ? 1 : 0];
+  const Place place = key(p);
+  if (side.settled && std::ranges::binary_search(*side.settled, place)) return;
+  side.fresh.insert(place);
+  if (side.fresh.size() < kFresh) return;
+  side.settled = std::make_shared<const std::vector<Place>>(all(side));
+  side.fresh.clear();
+}
+
+std::size_t Evidence::size(bool inside) const {
+  const Side& side = sides_[inside ? 1 : 0];
+  return (side.settled ? side.settled->size() : 0) + side.fresh.size();
+}
+
+std::vector<Evidence::Place> Evidence::all(const Side& side) {
+  std::span<const Place> settled;
+  if (side.settled) settled = *side.settled;
+  std::vector<Place> all;
+  all.reserve(settled.size() + side.fresh.size());
+  std::ranges::merge(settled, side.fresh, std::back_inserter(all));
+  return all;
+}
+
 std::pair<int, int> Evidence::key(const Vec2& p) {
   return {static_cast<int>(std::floor(p.x() / kPlace)),
           static_cast<int>(std::floor(p.y() / kPlace))};
@@ -172,7 +198,7 @@ std::pair<int, int> Evidence::key(const Vec2& p) {
 
 std::vector<Vec2> Evidence::points(bool inside) const {
   std::vector<Vec2> out;
-  for (const auto& [x, y] : places_[inside ? 1 : 0])
+  for (const auto& [x, y] : all(sides_[inside ? 1 : 0]))
     out.push_back(kPlace * Vec2(x + 0.5, y + 0.5));
   return out;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <set>
 #include <span>
 #include <utility>
@@ -10,16 +12,26 @@
 namespace skein::monitoring {
 
 /// Where fire and where none has been seen, to 20 m.
+///
+/// Grows with the ground that was seen: eight bytes for each place. Copies share all but
+/// the last few hundred places, so that a belief may keep many.
 class Evidence {
  public:
-  void add(const Vec2& p, bool inside) { places_[inside ? 1 : 0].insert(key(p)); }
-  bool empty(bool inside) const { return places_[inside ? 1 : 0].empty(); }
+  void add(const Vec2& p, bool inside);
+  bool empty(bool inside) const { return size(inside) == 0; }
+  std::size_t size(bool inside) const;
   /// The middles of the places, in a defined order.
   std::vector<Vec2> points(bool inside) const;
 
  private:
-  static std::pair<int, int> key(const Vec2& p);
-  std::set<std::pair<int, int>> places_[2];
+  using Place = std::pair<int, int>;
+  struct Side {
+    std::shared_ptr<const std::vector<Place>> settled;  // in order; null: none
+    std::set<Place> fresh;                              // that are not among them
+  };
+  static Place key(const Vec2& p);
+  static std::vector<Place> all(const Side& side);
+  Side sides_[2];
 };
 
 /// Nodes of parts of `mean` (negative inside) that nobody has ever seen, once fire has

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace skein::monitoring::parts_test {
 namespace {
@@ -42,6 +44,30 @@ const Vec2 kWest(0, -200), kEast(0, 200);
 std::vector<double> two_parts() {
   return field(
       [](const Vec2& p) { return std::min(disc(p, kWest, 120), disc(p, kEast, 120)); });
+}
+
+// As many places as a day of flights sees: those of a set, in its order, and copies that
+// share them.
+TEST(Evidence, HoldsEachPlaceOnceInOrderHoweverManyThereAre) {
+  Evidence evidence;
+  std::set<std::pair<int, int>> places;
+  for (int k = 0; k < 30'000; ++k) {
+    const int x = k * 7919 % 311, y = k * 104729 % 173;
+    evidence.add(Vec2(20 * x + 3, 20 * y + 17), true);
+    places.insert({x, y});
+  }
+  EXPECT_EQ(evidence.size(true), places.size());
+  EXPECT_TRUE(evidence.empty(false));
+  const std::vector<Vec2> points = evidence.points(true);
+  ASSERT_EQ(points.size(), places.size());
+  std::size_t k = 0;
+  for (const auto& [x, y] : places)
+    EXPECT_EQ(points[k++], Vec2(20 * x + 10, 20 * y + 10));
+  Evidence copy = evidence;
+  copy.add(Vec2(-500, -500), true);
+  EXPECT_EQ(copy.size(true), places.size() + 1);
+  EXPECT_EQ(copy.points(true).front(), Vec2(-490, -490));
+  EXPECT_EQ(evidence.size(true), places.size());
 }
 
 TEST(Parts, NothingIsDroppedBeforeFireHasBeenSeen) {
