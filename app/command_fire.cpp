@@ -18,6 +18,11 @@ namespace {
 using environment::Perimeter;
 using environment::RecordedFireSummary;
 
+std::optional<environment::DateOrder> order_of(const std::string& word) {
+  if (word.empty()) return std::nullopt;
+  return assemble::date_order_named(word);
+}
+
 std::string utc_of(const RecordedFireSummary& fire, double time) {
   if (!fire.start_utc) return "";
   return scenario::utc_text(
@@ -74,8 +79,8 @@ Result<void> write_scenario(const assemble::RecordedScenario& recorded,
 
 int fire_command(const FireArguments& arguments) {
   const auto recorded = assemble::read_recorded_scenario(
-      arguments.source,
-      {arguments.time_field, arguments.incident, arguments.utc_offset_h});
+      arguments.source, {arguments.time_field, arguments.incident, arguments.utc_offset_h,
+                         order_of(arguments.date_order)});
   if (!recorded) return say_error(recorded.error());
   print_fire(recorded.value().fire);
   for (const std::string& each : recorded.value().warnings) print("{}\n", each);
@@ -89,6 +94,11 @@ int fire_command(const FireArguments& arguments) {
       return say_error(done.error());
     print("Written: {}; fly it: skein run {} --report\n", arguments.scenario.string(),
           arguments.scenario.string());
+    if (recorded.value().fire.duration > assemble::kMaxScenarioDuration)
+      print(
+          "The run ends after {:.0f} s of {:.0f} s: no run lasts longer; start_s takes a "
+          "later part.\n",
+          assemble::kMaxScenarioDuration, recorded.value().fire.duration);
   }
   return kDone;
 }

@@ -153,10 +153,11 @@ struct ExportArguments {
 int export_command(const ExportArguments& arguments, const std::atomic<bool>& stop);
 /// `skein fire`.
 struct FireArguments {
-  std::filesystem::path source;         ///< file or folder
-  std::string time_field;               ///< empty: it is looked for
-  std::string incident;                 ///< of those that the source holds
-  double utc_offset_h = 0;              ///< of times without a zone
+  std::filesystem::path source;  ///< file or folder
+  std::string time_field;        ///< empty: it is looked for
+  std::string incident;          ///< of those that the source holds
+  double utc_offset_h = 0;       ///< of times without a zone
+  std::string date_order;  ///< "month-first", "day-first", "year-first"; empty: as shown
   std::filesystem::path scenario, out;  ///< files to be written; empty: none
 };
 int fire_command(const FireArguments& arguments);

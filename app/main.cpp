@@ -344,6 +344,11 @@ Command add_fire(CLI::App& program) {
       ->add_option("--utc-offset-h", given->utc_offset_h,
                    "Local time minus UTC, of times without a zone.")
       ->check(CLI::Range(-14.0, 14.0));
+  command
+      ->add_option("--date-order", given->date_order,
+                   "What stands first in dates such as 5/9/2021; default: as the dates "
+                   "show.")
+      ->check(CLI::IsMember({"month-first", "day-first", "year-first"}));
   command->add_option("--scenario", given->scenario,
                       "Write a scenario that flies two aircraft there (YAML).");
   command->add_option("--out", given->out,

@@ -71,6 +71,7 @@ struct TrafficContext {
   std::function<std::optional<EntityId>(const std::string&)> find;
   std::vector<std::string>* warnings = nullptr;  ///< about recorded data
   std::any* shared = nullptr;  ///< what the aircraft of a group have in common
+  double duration = 0;         ///< of the run [s]
 };
 
 /// Whether environment.phenomena has one of that number.

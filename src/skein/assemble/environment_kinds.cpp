@@ -26,6 +26,13 @@ constexpr Range kHeight{.at_least = -500, .at_most = 9000};
 constexpr Range kBearing{.at_least = -360, .at_most = 360};
 constexpr Range kPlace{.at_least = -7e5, .at_most = 7e5};  // within 1000 km
 
+// Where warnings go; nowhere, if nobody asks for them.
+std::vector<std::string>& warnings_of(const EnvironmentContext& context) {
+  static thread_local std::vector<std::string> unasked;
+  unasked.clear();
+  return context.warnings != nullptr ? *context.warnings : unasked;
+}
+
 Fields<FlatTerrainOptions> flat_fields() {
   using T = FlatTerrainOptions;
   return Fields<T>().number("elevation_m", &T::elevation, "Above mean sea level.",
@@ -66,11 +73,15 @@ Fields<RasterTerrainOptions> raster_fields() {
   using T = RasterTerrainOptions;
   return Fields<T>()
       .file("file", &T::file,
-            "A raster, elevations in metres; docs/environment.md has the formats.")
+            "A raster of elevations; docs/environment.md has the formats.")
       .required()
       .integer("band", &T::band, "Band, when no name is given.",
                {.at_least = 1, .at_most = 10000})
       .text("band_name", &T::band_name, "Name of the band.")
+      .text(
+          "unit", &T::unit,
+          "Unit of the elevations (m, ft, us-ft); empty: as the file says, metres where "
+          "it says none.")
       .word("outside", &T::outside, "What holds where the file has no data.",
             {{"error", Outside::kError, "loading fails"},
              {"edge", Outside::kEdge, "the nearest value goes on"}})
@@ -111,6 +122,10 @@ Fields<GriddedWindOptions> gridded_fields() {
             {{"auto", WindNorth::kAuto, "as the file says"},
              {"true", WindNorth::kTrue, "the meridian"},
              {"grid", WindNorth::kGrid, "the raster's own second axis"}})
+      .text(
+          "unit", &T::unit,
+          "Unit of speeds and components (m/s, km/h, kt, mph); empty: as the file says, "
+          "refused where it says none.")
       .duration_s("times_s", &T::times,
                   "Times of the bands, for files that do not say them.")
       .number("height_m", &T::height,
@@ -291,6 +306,11 @@ Fields<RecordedFireOptions> recorded_fields() {
       .number("utc_offset_h", [](T & t) -> auto& { return t.file.utc_offset_h; },
               "Local time minus UTC, of times without a zone.",
               {.at_least = -14, .at_most = 14})
+      .word("date_order", [](T & t) -> auto& { return t.file.date_order; },
+            "What stands first in dates such as 5/9/2021. Null: as the dates show.",
+            {{"month-first", DateOrder::kMonthFirst, "9/5/2021 is the 5th of September"},
+             {"day-first", DateOrder::kDayFirst, "5/9/2021 is"},
+             {"year-first", DateOrder::kYearFirst, "21/9/5 is"}})
       .duration_s("start_s", &T::start,
                   "The run starts this long after the first perimeter.")
       .number("spacing_m", &T::spacing,
@@ -298,7 +318,9 @@ Fields<RecordedFireOptions> recorded_fields() {
               kNotNegative)
       .integer("arrival_band", &T::arrival_band, "Band of the arrival-time raster.",
                {.at_least = 1, .at_most = 10000})
-      .number("arrival_unit_s", &T::arrival_unit, "Unit of the raster's times.",
+      .number("arrival_unit_s", &T::arrival_unit,
+              "Unit of the raster's times. Null: as the file says, seconds where it says "
+              "none.",
               {.above = 0, .at_most = 1e6});
 }
 
@@ -321,7 +343,7 @@ Kinds<Terrain, EnvironmentContext> terrain_kinds() {
   kinds.add("raster", "An elevation raster, reprojected into the local frame.",
             raster_fields(),
             [](const RasterTerrainOptions& o, const EnvironmentContext& c) {
-              return make_raster_terrain(o, c.frame);
+              return make_raster_terrain(o, c.frame, warnings_of(c));
             });
   return kinds;
 }
@@ -341,7 +363,7 @@ Kinds<WindField, EnvironmentContext> wind_kinds() {
             [](const GriddedWindOptions& o, const EnvironmentContext& c) {
               GriddedWindOptions all = o;
               all.start_utc = c.start_utc;
-              return make_gridded_wind(all, c.frame);
+              return make_gridded_wind(all, c.frame, warnings_of(c));
             });
   return kinds;
 }

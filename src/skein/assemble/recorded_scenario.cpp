@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/geo/gdal/vector_files.h"
 #include "skein/geo/vec.h"
 #include "skein/scenario/utc.h"
 
@@ -24,7 +25,8 @@ fs::path source_in(const fs::path& folder) {
   for (const fs::path& file : files)
     if (environment::is_vector_name(file)) return folder;
   for (const fs::path& file : files)
-    if (file.extension() == ".tif" && file.filename() != "elevation.tif") return file;
+    if (geo::small_ending(file) == ".tif" && file.filename() != "elevation.tif")
+      return file;
   return {};
 }
 
@@ -48,12 +50,28 @@ std::string terrain_text(const RecordedScenario& recorded) {
                      quoted(recorded.elevations.string()), std::ceil(reach + 3000));
 }
 
-// Scenarios have dates from 1970 on.
+// Empty where scenarios cannot say it: they have dates from 1970 to 2200.
 std::string start_text(const RecordedScenario& recorded) {
   const auto& start = recorded.fire.start_utc;
-  if (!start || *start < 0) return {};
-  return scenario::utc_text(static_cast<std::int64_t>(std::floor(*start)));
+  if (!start) return {};
+  const std::string text =
+      scenario::utc_text(static_cast<std::int64_t>(std::floor(*start)));
+  return scenario::parse_utc(text) ? text : std::string();
 }
+
+// Whole seconds, so that periods fit in; no more than a scenario may last.
+double duration_of(const RecordedScenario& recorded) {
+  return std::clamp(std::floor(recorded.fire.duration), 60.0, kMaxScenarioDuration);
+}
+
+// How a scenario says the order of dates.
+struct OrderWord {
+  environment::DateOrder order;
+  std::string_view word;
+};
+constexpr OrderWord kOrders[] = {{environment::DateOrder::kMonthFirst, "month-first"},
+                                 {environment::DateOrder::kDayFirst, "day-first"},
+                                 {environment::DateOrder::kYearFirst, "year-first"}};
 
 }  // namespace
 
@@ -86,8 +104,7 @@ std::vector<std::string> recorded_overrides(const RecordedScenario& recorded) {
       "environment.phenomena[0].source=" + recorded.source.path,
       fmt::format("origin.latitude_deg={:.6f}", fire.origin.latitude_deg),
       fmt::format("origin.longitude_deg={:.6f}", fire.origin.longitude_deg),
-      // Whole seconds, so that periods fit in.
-      fmt::format("duration_s={}", std::floor(fire.duration)),
+      fmt::format("duration_s={}", duration_of(recorded)),
       fmt::format("missions[0].prior.radius_m={:.0f}", radius),
       fmt::format("missions[0].prior.radius_sd_m={:.0f}", 0.4 * radius),
       fmt::format("aircraft[0].start.distance_m={:.0f}", 2 * radius + 600),
@@ -95,6 +112,12 @@ std::vector<std::string> recorded_overrides(const RecordedScenario& recorded) {
   if (const std::string start = start_text(recorded); !start.empty())
     overrides.push_back("start_utc=" + start);
   return overrides;
+}
+
+std::optional<environment::DateOrder> date_order_named(std::string_view word) {
+  for (const OrderWord& each : kOrders)
+    if (each.word == word) return each.order;
+  return std::nullopt;
 }
 
 std::string recorded_scenario_text(const RecordedScenario& recorded,
@@ -109,9 +132,13 @@ std::string recorded_scenario_text(const RecordedScenario& recorded,
       "name: {}\n"
       "duration_s: {}\n"
       "origin: {{latitude_deg: {:.6f}, longitude_deg: {:.6f}}}\n",
-      fire.first_area / 1e4, fire.last_area / 1e4, quoted(name),
-      std::max(std::floor(fire.duration), 60.0), fire.origin.latitude_deg,
-      fire.origin.longitude_deg);
+      fire.first_area / 1e4, fire.last_area / 1e4, quoted(name), duration_of(recorded),
+      fire.origin.latitude_deg, fire.origin.longitude_deg);
+  if (fire.duration > kMaxScenarioDuration)
+    text += fmt::format(
+        "# The fire lasts {:.0f} s; a run lasts {:.0f} s at most. A later part: start_s "
+        "of the\n# phenomenon below, with start_utc as much later.\n",
+        fire.duration, kMaxScenarioDuration);
   if (const std::string start = start_text(recorded); !start.empty())
     text += fmt::format("start_utc: {}\n", start);
   text += fmt::format(
@@ -127,6 +154,8 @@ std::string recorded_scenario_text(const RecordedScenario& recorded,
     text += fmt::format("      incident: {}\n", quoted(file.incident));
   if (file.utc_offset_h != 0)
     text += fmt::format("      utc_offset_h: {}\n", file.utc_offset_h);
+  for (const auto& [order, word] : kOrders)
+    if (file.date_order == order) text += fmt::format("      date_order: {}\n", word);
   text += fmt::format(
       "aircraft:\n"
       "  - name: scout\n"

@@ -1,13 +1,18 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "skein/base/result.h"
 #include "skein/layer/environment/recorded/recorded_fire.h"
 
 namespace skein::assemble {
+
+/// How long a scenario may last [s]; see scenario::Fields.
+inline constexpr double kMaxScenarioDuration = 4e6;
 
 /// A recorded fire and what a scenario about it needs.
 struct RecordedScenario {
@@ -31,6 +36,9 @@ Result<RecordedScenario> read_recorded_scenario(
 /// a circle of the first area, 40 % standard deviation).
 /// @returns  overrides, KEY=VALUE.
 std::vector<std::string> recorded_overrides(const RecordedScenario& recorded);
+
+/// The order of dates by the word that scenarios have for it; none for any other word.
+std::optional<environment::DateOrder> date_order_named(std::string_view word);
 
 /// A scenario of two aircraft that watch the fire, as a file that people go on with.
 std::string recorded_scenario_text(const RecordedScenario& recorded,

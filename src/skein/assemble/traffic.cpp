@@ -70,7 +70,8 @@ Result<std::vector<simulation::WorldTraffic>> make_traffic(
           begin_of(group, scenario.seed, id),
           [&](const std::string& name) { return find_aircraft(entities, name); },
           &warnings,
-          &shared};
+          &shared,
+          scenario.duration.seconds()};
       auto made = kinds.traffic.make(group.flight, context);
       if (!made) {
         Error error = made.error();

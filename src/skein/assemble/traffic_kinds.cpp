@@ -1,14 +1,17 @@
 // How other air traffic flies: one row each.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <any>
+#include <cmath>
 #include <memory>
 
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/ranges.h"
 #include "skein/exchange/traffic_log.h"
+#include "skein/geo/place_limits.h"
 #include "skein/layer/environment/traffic/circuit_flight.h"
 #include "skein/layer/environment/traffic/intruder_flight.h"
 #include "skein/layer/environment/traffic/recorded_flight.h"
@@ -188,6 +191,39 @@ Error bad_traffic(const char* key, std::string message) {
 
 using SharedLog = std::shared_ptr<const exchange::TrafficLog>;
 
+// What of a log was passed over.
+void note_log(const exchange::TrafficLog& log, const std::string& file,
+              std::vector<std::string>& warnings) {
+  if (log.repeated > 0)
+    warnings.push_back(
+        fmt::format("{}: {} rows repeat an old position, left out.", file, log.repeated));
+  if (log.far > 0)
+    warnings.push_back(fmt::format(
+        "{}: {} rows lie over {:.0f} km from the origin (up to {:.0f} km), left out.",
+        file, log.far, geo::kMaxPlaceDistance / 1000, log.farthest / 1000));
+  if (!log.ignored.empty())
+    warnings.push_back(fmt::format("{}: columns without a meaning here: {}.", file,
+                                   fmt::join(log.ignored, ", ")));
+}
+
+std::string span_text(double start_unix, double first, double last) {
+  const auto utc = [&](double time) {
+    return scenario::utc_text(static_cast<std::int64_t>(std::floor(start_unix + time)));
+  };
+  return fmt::format("{} to {}", utc(first), utc(last));
+}
+
+// A flight wholly before or after the run is never there.
+void note_times(const exchange::LoggedFlight& flight, const TrafficContext& c) {
+  const double first = flight.places.front().time, last = flight.places.back().time;
+  if (!c.warnings || (first <= c.duration && last >= 0)) return;
+  const auto start = scenario::parse_utc(c.start_utc);
+  const double start_unix = start ? static_cast<double>(*start) : 0;
+  c.warnings->push_back(fmt::format(
+      "traffic {}: it is never there: its log covers {}, the run {}; is start_utc right?",
+      c.name, span_text(start_unix, first, last), span_text(start_unix, 0, c.duration)));
+}
+
 // Read once for a group.
 Result<SharedLog> log_of(const RecordedChoice& o, const TrafficContext& c) {
   if (const auto* known = c.shared ? std::any_cast<SharedLog>(c.shared) : nullptr)
@@ -197,6 +233,7 @@ Result<SharedLog> log_of(const RecordedChoice& o, const TrafficContext& c) {
       o.file, {c.frame, start ? static_cast<double>(*start) : 0});
   if (!read) return read.error();
   SharedLog log = std::make_shared<const exchange::TrafficLog>(std::move(read).value());
+  if (c.warnings) note_log(*log, o.file, *c.warnings);
   if (c.shared) *c.shared = log;
   return log;
 }
@@ -217,6 +254,7 @@ Result<std::unique_ptr<TrafficAircraft>> recorded_flight(const RecordedChoice& o
                : bad_traffic("track",
                              fmt::format("the log has no \"{}\"; its first is \"{}\".",
                                          o.track, log.flights.front().id));
+  note_times(*flight, c);
   std::vector<RecordedPlace> places;
   for (const exchange::LoggedPlace& each : flight->places)
     places.push_back({each.time, each.p_N});

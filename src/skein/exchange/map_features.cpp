@@ -15,6 +15,7 @@
 #include "skein/exchange/map_geometry.h"
 #include "skein/geo/gdal/gdal_guard.h"
 #include "skein/geo/gdal/gdal_handles.h"
+#include "skein/geo/gdal/vector_files.h"
 
 namespace skein::exchange {
 namespace {
@@ -66,13 +67,8 @@ class Reader {
     if (degrees_only_ && frame_ == nullptr)
       return error("KML has latitudes and longitudes; the place on Earth is not known.",
                    "Give --origin.");
-    const geo::GdalDataset dataset = geo::open_dataset(file_, geo::DataKind::kVector);
-    if (!dataset)
-      return error("cannot be read as a map: " + words_of(guard) + ".",
-                   "GeoJSON, KML and other vector formats of GDAL are allowed.");
-    for (int l = 0; l < GDALDatasetGetLayerCount(dataset.get()); ++l)
-      if (auto good = read_layer(GDALDatasetGetLayer(dataset.get(), l), guard); !good)
-        return good.error();
+    for (const std::string& name : geo::vector_datasets(file_))
+      if (auto good = read_dataset(name, guard); !good) return good.error();
     if (guard.failed()) return error("is truncated or corrupt: " + words_of(guard) + ".");
     if (against_ > 0)
       warnings_.push_back(
@@ -86,6 +82,24 @@ class Reader {
  private:
   Error error(const std::string& message, const std::string& hint = "") const {
     return {ErrorCode::kBadInput, file_, message, hint};
+  }
+
+  Result<void> read_dataset(const std::string& name, const geo::GdalGuard& guard) {
+    const geo::GdalDataset dataset = geo::open_dataset(name, geo::DataKind::kVector);
+    if (!dataset)
+      return error("cannot be read as a map: " + words_of(guard) + ".",
+                   "GeoJSON, KML and other vector formats of GDAL are allowed.");
+    for (int l = 0; l < GDALDatasetGetLayerCount(dataset.get()); ++l) {
+      OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), l);
+      // A table of attributes only, such as styles, is no map.
+      if (OGR_L_GetGeomType(layer) == wkbNone) continue;
+      if (auto good = read_layer(layer, guard); !good) return good;
+    }
+    if (geo::says_cut_off(name))
+      warnings_.push_back(file_ +
+                          ": says that it is not complete (exceededTransferLimit): the "
+                          "server cut the download off.");
+    return {};
   }
 
   Result<void> read_layer(OGRLayerH layer, const geo::GdalGuard& guard) {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <memory>
 
+#include "skein/geo/place_limits.h"
+
 namespace skein::exchange {
 namespace {
 
@@ -15,7 +17,6 @@ constexpr std::size_t kMaxPoints = 1'000'000;  // of a file
 constexpr std::size_t kMaxInRing =
     20'000;                        // asking whether it crosses itself is quadratic
 constexpr int kDeepest = 16;       // collections within each other
-constexpr double kFarthest = 1e6;  // from the origin [m]
 constexpr double kMinArea = 0.01;  // of a ring [m^2]
 
 struct DestroyGeometry {
@@ -153,6 +154,7 @@ Result<Vec2> GeometryReader::in_plane(double x, double y, int number) const {
     return error(
         fmt::format("its point {} is {}, {}; finite numbers are allowed.", number, x, y));
   Vec2 p(y, x);
+  double distance = p.norm();
   if (frame_ != nullptr) {
     double longitude = x, latitude = y;
     int good = 1;
@@ -164,13 +166,14 @@ Result<Vec2> GeometryReader::in_plane(double x, double y, int number) const {
                                number, x, y),
                    "The longitude comes first.");
     p = frame_->to_plane(latitude, longitude);
+    distance = geo::distance_from_origin(*frame_, latitude, longitude);
   }
-  if (!(p.norm() <= kFarthest))
+  if (!(distance <= geo::kMaxPlaceDistance))
     return error(
         fmt::format(
             "its point {} ({}, {}) lies {:.0f} km from the origin; at most {:.0f} "
             "km are allowed.",
-            number, x, y, p.norm() / 1000, kFarthest / 1000),
+            number, x, y, distance / 1000, geo::kMaxPlaceDistance / 1000),
         frame_ != nullptr ? "The longitude comes first; is the origin right?"
                           : "Are the coordinates metres?");
   return p;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "skein/exchange/csv_cells.h"
+#include "skein/geo/place_limits.h"
 
 namespace skein::exchange {
 namespace {
@@ -28,6 +29,8 @@ enum class LogColumn : std::uint8_t {
   kAltitudeBaro,
   kId,
   kOnGround,
+  kLastUpdate,
+  kSpeed,
   kOther,
 };
 constexpr std::size_t kLogColumns = static_cast<std::size_t>(LogColumn::kOther) + 1;
@@ -57,22 +60,50 @@ constexpr std::array kLogNames = {
     LogName{"velocity_north_mps", LogColumn::kOther},
     LogName{"velocity_east_mps", LogColumn::kOther},
     LogName{"climb_mps", LogColumn::kOther},
-    LogName{"ground_speed_mps", LogColumn::kOther},
+    LogName{"ground_speed_mps", LogColumn::kSpeed},
     LogName{"track_deg", LogColumn::kOther},
-    LogName{"velocity", LogColumn::kOther},
+    LogName{"velocity", LogColumn::kSpeed},
     LogName{"heading", LogColumn::kOther},
     LogName{"vertrate", LogColumn::kOther},
     LogName{"callsign", LogColumn::kOther},
     LogName{"alert", LogColumn::kOther},
     LogName{"spi", LogColumn::kOther},
     LogName{"squawk", LogColumn::kOther},
-    LogName{"lastposupdate", LogColumn::kOther},
+    LogName{"lastposupdate", LogColumn::kLastUpdate},
+    LogName{"time_position", LogColumn::kLastUpdate},
     LogName{"lastcontact", LogColumn::kOther},
+    LogName{"hour", LogColumn::kOther},
+    LogName{"serials", LogColumn::kOther},
 };
 
 constexpr double kFoot = 0.3048;                     // [m]
 constexpr std::uintmax_t kLargestLog = 200'000'000;  // [bytes]
 constexpr std::size_t kMaxIdLength = 40;
+constexpr double kStanding = 2;  // slower, an aircraft may be at one place [m/s]
+
+// Beginnings of columns that would be places, times or altitudes if they were known: a
+// mistake or another unit there is not passed over.
+constexpr std::string_view kTelling[] = {"time", "unix", "north", "east",   "height",
+                                         "lat",  "lon",  "alt",   "geoalt", "baroalt"};
+
+bool is_telling(std::string_view name) {
+  return std::any_of(std::begin(kTelling), std::end(kTelling),
+                     [&](std::string_view start) { return name.starts_with(start); });
+}
+
+std::string small_letters(std::string_view text) {
+  std::string small(text);
+  for (char& c : small)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
+// Whether a cell has no value.
+bool is_none(std::string_view cell) {
+  const std::string word = small_letters(cell);
+  return word.empty() || word == "null" || word == "nan" || word == "none" ||
+         word == "na" || word == "n/a";
+}
 
 // Of a number in a column.
 struct LogRange {
@@ -120,6 +151,13 @@ class LogReader {
     }
     if (columns_.empty())
       return error("", "the log is empty.", "Its first line names the columns.");
+    if (log_.flights.empty() && log_.far > 0)
+      return Error{
+          ErrorCode::kBadInput, name_,
+          fmt::format("lies up to {:.0f} km from the origin; at most {:.0f} km are "
+                      "allowed.",
+                      log_.farthest / 1000, geo::kMaxPlaceDistance / 1000),
+          "Is the origin right?"};
     if (log_.flights.empty())
       return Error{ErrorCode::kBadInput, name_,
                    fmt::format("none of its {} rows has a place in the air.", log_.rows),
@@ -145,13 +183,16 @@ class LogReader {
       const auto known =
           std::find_if(kLogNames.begin(), kLogNames.end(),
                        [&](const LogName& each) { return each.name == *cell; });
-      if (known == kLogNames.end())
+      if (known == kLogNames.end() && is_telling(*cell))
         return error(shown(*cell), "is no column of a traffic log.",
                      "docs/traffic.md has those that are allowed.");
       for (const std::string& other : columns_)
         if (other == *cell) return error(*cell, "is there twice.");
-      auto& place = place_[static_cast<std::size_t>(known->column)];
-      if (place && known->column != LogColumn::kOther)
+      const LogColumn column =
+          known == kLogNames.end() ? LogColumn::kOther : known->column;
+      if (known == kLogNames.end()) log_.ignored.push_back(shown(*cell));
+      auto& place = place_[static_cast<std::size_t>(column)];
+      if (place && column != LogColumn::kOther)
         return error(*cell,
                      fmt::format("says the same as the column {}.", columns_[*place]));
       place = columns_.size();
@@ -195,13 +236,17 @@ class LogReader {
       ++log_.left_out;
       return {};
     }
+    if (is_far(cells)) {
+      ++log_.far;
+      return {};
+    }
     return add(cells, {*time.value(), *place.value()});
   }
 
   // A number, or none where the cell is empty or its column is not there.
   Result<LogNumber> number(const LogCells& cells, LogColumn column) const {
     const auto place = place_[static_cast<std::size_t>(column)];
-    if (!place || cells[*place].empty()) return LogNumber();
+    if (!place || is_none(cells[*place])) return LogNumber();
     const auto value = number_in(cells[*place]);
     if (!value || !std::isfinite(*value))
       return error(columns_[*place],
@@ -256,11 +301,39 @@ class LogReader {
   Result<bool> on_ground(const LogCells& cells) const {
     const auto place = place_[static_cast<std::size_t>(LogColumn::kOnGround)];
     if (!place) return false;
-    const std::string_view cell = cells[*place];
-    if (cell == "true" || cell == "True" || cell == "1") return true;
-    if (cell.empty() || cell == "false" || cell == "False" || cell == "0") return false;
+    const std::string cell = small_letters(cells[*place]);
+    if (cell == "true" || cell == "1" || cell == "t") return true;
+    if (is_none(cell) || cell == "false" || cell == "0" || cell == "f") return false;
     return error(columns_[*place],
                  fmt::format("\"{}\" is neither true nor false.", shown(cells[*place])));
+  }
+
+  // Whether a row, whose place is known to be good, lies too far from the origin.
+  bool is_far(const LogCells& cells) {
+    if (!has(LogColumn::kLatitude)) return false;
+    const auto latitude = number(cells, LogColumn::kLatitude);
+    const auto longitude = number(cells, LogColumn::kLongitude);
+    const double distance = geo::distance_from_origin(
+        placement_.frame, latitude.value().value_or(0), longitude.value().value_or(0));
+    if (distance <= geo::kMaxPlaceDistance) return false;
+    log_.farthest = std::max(log_.farthest, distance);
+    return true;
+  }
+
+  // Whether a place repeats the last one of its aircraft because nothing newer was
+  // received.
+  bool is_old(const LoggedPlace& now, const std::vector<LoggedPlace>& places,
+              const LogNumber& update, const LogNumber& last_update,
+              const LogNumber& speed) const {
+    if (places.empty() || now.p_N.head<2>() != places.back().p_N.head<2>()) return false;
+    if (update && last_update) return *update == *last_update;
+    return !has(LogColumn::kLastUpdate) && speed.value_or(0) > kStanding;
+  }
+
+  // A number that the log may lack; none for anything else.
+  LogNumber hint(const LogCells& cells, LogColumn column) const {
+    const auto place = place_[static_cast<std::size_t>(column)];
+    return place ? number_in(cells[*place]) : std::nullopt;
   }
 
   Result<void> add(const LogCells& cells, const LoggedPlace& now) {
@@ -272,14 +345,24 @@ class LogReader {
                      fmt::format("needs 1 to {} characters.", kMaxIdLength));
     }
     const auto [known, first] = of_id_.try_emplace(id, log_.flights.size());
-    if (first) log_.flights.push_back({id, {}});
+    if (first) {
+      log_.flights.push_back({id, {}});
+      last_updates_.emplace_back();
+    }
     std::vector<LoggedPlace>& places = log_.flights[known->second].places;
+    LogNumber& last_update = last_updates_[known->second];
     if (!places.empty() && now.time <= places.back().time) {
       if (now.time == places.back().time && now.p_N == places.back().p_N) return {};
       return error(
           "", fmt::format("its time does not grow: {:.3f} s after {:.3f} s{}.", now.time,
                           places.back().time, id.empty() ? "" : " of " + id));
     }
+    const LogNumber update = hint(cells, LogColumn::kLastUpdate);
+    if (is_old(now, places, update, last_update, hint(cells, LogColumn::kSpeed))) {
+      ++log_.repeated;
+      return {};
+    }
+    last_update = update;
     places.push_back(now);
     return {};
   }
@@ -290,6 +373,7 @@ class LogReader {
   std::vector<std::string> columns_;
   std::array<std::optional<std::size_t>, kLogColumns> place_{};
   std::map<std::string, std::size_t> of_id_;
+  std::vector<LogNumber> last_updates_;  // of the last place of each flight
   TrafficLog log_;
 };
 

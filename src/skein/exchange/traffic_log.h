@@ -28,6 +28,10 @@ struct TrafficLog {
   std::size_t rows = 0;
   std::size_t left_out =
       0;  ///< rows without a position, or for an aircraft on the ground
+  std::size_t repeated = 0;          ///< rows that repeat an old position
+  std::size_t far = 0;               ///< rows over 1000 km from the origin
+  double farthest = 0;               ///< of them [m]
+  std::vector<std::string> ignored;  ///< columns that mean nothing here
 };
 
 /// How a log is placed in a run.
@@ -48,16 +52,23 @@ struct LogPlacement {
 /// which aircraft; or `icao24`; without it all rows are of one | | `velocity_north_mps`,
 /// `velocity_east_mps`, `climb_mps`, `ground_speed_mps`, `track_deg`; of OpenSky
 /// `velocity`, `heading`, `vertrate`, `callsign`, `onground`, `alert`, `spi`, `squawk`,
-/// `lastposupdate`, `lastcontact` | allowed; of these only `onground` is looked at |
+/// `lastposupdate`, `lastcontact`, `hour`, `serials` | allowed |
+///
+/// Of the last `onground` is looked at, and what shows that a position is old: a row at
+/// the very place of the one before of its aircraft whose `lastposupdate` (or
+/// `time_position`) has not changed, or, without that column, whose `velocity` is above 2
+/// m/s; it repeats the last position and is left out. Other columns are ignored and
+/// listed, but not those that look like a time, a place or an altitude in another unit.
 ///
 /// Blank lines are no rows. Rows of several aircraft may be mixed; those of one come in
-/// order of time. A row with an empty position or altitude is left out, and one whose
-/// `onground` is true; the same place said twice is said once.
+/// order of time. A row with an empty position or altitude (also `NULL`, `nan`, `None`)
+/// is left out, one whose `onground` is true, and one over 1000 km from the origin; the
+/// same place said twice is said once.
 ///
 /// Fails: kBadInput with line and column for a header without what is needed, with a
-///        column twice or one that is not known; for rows with too few or too many cells,
+///        column twice or in an unknown unit; for rows with too few or too many cells,
 ///        cells that are no finite number or out of range, and times of an aircraft that
-///        do not grow; for a log without a place.
+///        do not grow; for a log without a place, or without one within 1000 km.
 Result<TrafficLog> parse_traffic_log(std::string_view text, const std::string& name,
                                      const LogPlacement& placement);
 

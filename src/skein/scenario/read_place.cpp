@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "skein/geo/place_limits.h"
 #include "skein/scenario/places.h"
 #include "skein/scenario/read.h"
 #include "skein/scenario/text.h"
@@ -42,6 +43,21 @@ std::optional<Vec2> Reader::geographic_place(const Node& node) {
   const auto east = number(*longitude, {.at_least = -180, .at_most = 180});
   // An origin that is not valid is a problem of its own.
   if (!north || !east || !places_->frame) return std::nullopt;
+  const double distance = geo::distance_from_origin(*places_->frame, *north, *east);
+  if (distance > geo::kMaxPlaceDistance) {
+    const geo::Geodetic origin = places_->frame->origin();
+    error(
+        node.place,
+        fmt::format("lies {:.0f} km from the origin, latitude {:.6g}, longitude {:.6g}; "
+                    "at most {:.0f} km are allowed.",
+                    distance / 1000, origin.latitude_deg, origin.longitude_deg,
+                    geo::kMaxPlaceDistance / 1000),
+        fmt::format(
+            "Is the origin right? Here it would be origin: {{latitude_deg: {:.6g}, "
+            "longitude_deg: {:.6g}}}.",
+            *north, *east));
+    return std::nullopt;
+  }
   return places_->frame->to_plane(*north, *east);
 }
 

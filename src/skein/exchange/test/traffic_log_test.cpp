@@ -59,6 +59,45 @@ TEST(TrafficLog, ReadsAnAdsBLogAsOpenSkyHasIt) {
   EXPECT_EQ(log.value().flights[1].places[0].p_N.z(), -400) << "the other altitude";
 }
 
+TEST(TrafficLog, APositionThatIsRepeatedIsOld) {
+  const std::string head = "time,icao24,lat,lon,geoaltitude,velocity,lastposupdate\n";
+  const auto updates = parse(head +
+                             "1750000000,a,50.00,14,300,60,1750000000\n"
+                             "1750000001,a,50.00,14,300,60,1750000000\n"
+                             "1750000002,a,50.00,14,305,60,1750000000\n"
+                             "1750000003,a,50.01,14,300,60,1750000003\n"
+                             "1750000004,a,50.01,14,300,0,1750000004\n");
+  ASSERT_TRUE(updates) << updates.error().text();
+  EXPECT_EQ(updates.value().repeated, 2u);
+  ASSERT_EQ(updates.value().flights[0].places.size(), 3u) << "it hovers at the end";
+  const auto speeds = parse(
+      "time,lat,lon,geoaltitude,velocity\n"
+      "1750000000,50,14,300,60\n1750000001,50,14,300,60\n1750000002,50,14,300,0\n");
+  ASSERT_TRUE(speeds) << speeds.error().text();
+  EXPECT_EQ(speeds.value().repeated, 1u);
+}
+
+TEST(TrafficLog, CellsMayMeanNoneAndColumnsNothing) {
+  const auto log = parse(
+      "time,icao24,lat,lon,baroaltitude,geoaltitude,onground,hour,serials,source\n"
+      "1750000000,a,50,14,300,NULL,FALSE,1750000000,[1 2],x\n"
+      "1750000001,a,nan,14,300,None,FALSE,1750000000,,x\n");
+  ASSERT_TRUE(log) << log.error().text();
+  EXPECT_EQ(log.value().flights[0].places.at(0).p_N.z(), -300);
+  EXPECT_EQ(log.value().left_out, 1u);
+  EXPECT_EQ(log.value().ignored, std::vector<std::string>{"source"});
+}
+
+TEST(TrafficLog, WhatIsFarAwayIsLeftOutOrRefused) {
+  const std::string head = "id,unix_s,lat,lon,altitude_ft\n";
+  const auto log = parse(head + "a,1750000000,50,14,1000\nb,1750000000,-33,151,1000\n");
+  ASSERT_TRUE(log) << log.error().text();
+  EXPECT_EQ(log.value().far, 1u);
+  ASSERT_EQ(log.value().flights.size(), 1u);
+  EXPECT_NE(error_of(head + "b,1750000000,-33,151,1000\n").find("km from the origin"),
+            std::string::npos);
+}
+
 TEST(TrafficLog, ReadsFeetAndLeavesOutWhatIsSaidTwice) {
   const auto log = parse(
       "id,unix_s,latitude_deg,longitude_deg,altitude_ft\n"

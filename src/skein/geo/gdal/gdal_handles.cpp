@@ -41,9 +41,12 @@ void DestroyTransform::operator()(void* transform) const {
 
 GdalDataset open_dataset(const std::string& name, DataKind kind) {
   const unsigned flags = kind == DataKind::kRaster ? GDAL_OF_RASTER : GDAL_OF_VECTOR;
+  // What a text that looks like a date means is not for GDAL to guess (9/5/21 would be
+  // May 2009). Drivers without the option say so in a warning, which nobody reads.
+  const char* const texts[] = {"DATE_AS_STRING=YES", nullptr};
   return GdalDataset(GDALOpenEx(name.c_str(),
                                 flags | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
-                                nullptr, nullptr));
+                                kind == DataKind::kVector ? texts : nullptr, nullptr));
 }
 
 GdalTransform transform_to_degrees(void* system) {

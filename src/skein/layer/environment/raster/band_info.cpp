@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "skein/base/valid_text.h"
+#include "skein/geo/unit_words.h"
 #include "skein/layer/environment/raster/date_time.h"
 
 namespace skein::environment {
@@ -34,6 +35,13 @@ std::optional<double> leading_number(std::string_view text) {
   return value;
 }
 
+// Whether days of a CF calendar are those of the world.
+bool is_real_calendar(const std::string& calendar) {
+  const std::string name = lower(calendar);
+  return name.empty() || name == "standard" || name == "gregorian" ||
+         name == "proleptic_gregorian";
+}
+
 // CF: "hours since 2017-05-21T00:00:00Z" and a number.
 std::optional<double> cf_time(const std::string& unit, double value) {
   const std::string low = lower(unit);
@@ -41,21 +49,11 @@ std::optional<double> cf_time(const std::string& unit, double value) {
   if (since == std::string::npos) return std::nullopt;
   std::string start = unit.substr(since + 7);
   if (start.size() >= 4 && lower(start).ends_with(" utc")) start.resize(start.size() - 4);
-  const auto origin = parse_utc(start);
-  if (!origin) return std::nullopt;
-  const std::string step = low.substr(0, since);
-  double seconds = 0;
-  if (step.starts_with("s"))
-    seconds = 1;
-  else if (step.starts_with("min"))
-    seconds = 60;
-  else if (step.starts_with("h"))
-    seconds = 3600;
-  else if (step.starts_with("d"))
-    seconds = 86400;
-  else
-    return std::nullopt;
-  return *origin + seconds * value;
+  // "1970-1-1 0:0:0" is allowed there.
+  const auto origin = parse_date(start, DateOrder::kMonthFirst);
+  const auto seconds = geo::time_unit(low.substr(0, since));
+  if (!origin || !seconds || start.find('-') == std::string::npos) return std::nullopt;
+  return origin->value + *seconds * value;
 }
 
 // NetCDF: the band's dimensions beside x and y are NETCDF_DIM_<name>=<value>; what they
@@ -74,10 +72,11 @@ void read_dimensions(GDALDatasetH dataset, char** metadata, BandInfo& info) {
           GDALGetMetadataItem(dataset, (name + "#" + key).c_str(), nullptr));
     };
     const std::string unit = about("units");
-    if (const auto time = cf_time(unit, *value)) {
-      info.utc_s = time;
-    } else if (unit == "m" || about("standard_name") == "height" ||
-               about("positive") == "up") {
+    if (unit.find(" since ") != std::string::npos) {
+      if (is_real_calendar(about("calendar"))) info.utc_s = cf_time(unit, *value);
+    } else if (const auto metres = geo::length_unit(unit)) {
+      info.height_m = *metres * *value;
+    } else if (unit.empty() && about("standard_name") == "height") {
       info.height_m = *value;
     }
   }

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace skein::environment {
 
-/// Which number of 5/9/2021 is the month.
-enum class DateOrder { kMonthFirst, kDayFirst };
+/// What the numbers of 5/9/2021 and 21/9/5 are.
+enum class DateOrder { kMonthFirst, kDayFirst, kYearFirst };
 
 /// A moment as people and programs write it.
 struct DateTime {
@@ -14,11 +15,17 @@ struct DateTime {
   bool utc = true;          ///< since 1970; else plain seconds
   bool time_of_day = true;  ///< false: a date alone, value at its 00:00
   bool zone = true;         ///< false: none is given, value as if it were UTC
+  bool short_year = false;  ///< its year has two digits: 69 to 99 are 1969 to 1999
+  std::string zone_name{};  ///< of a zone given by name or letter: "PDT is UTC-07:00"
 };
 
 /// A date, and a time of day if it is there: `2021-09-05T14:04:00-07:00`,
-/// `2021/09/05 14:04:00+00`, `20210905_1404`, `9/5/2021 2:04:00 PM`, `5.9.2021 14:04`
-/// (with points the day is first).
+/// `2021/09/05 14:04:00+00`, `20210905_1404`, `9/5/2021 2:04:00 PM`, `9/5/21 14:04`,
+/// `5.9.2021 14:04` (with points the day is first), `5 Sep 2021 14:04 PDT`,
+/// `Sep 5, 2021`. Zones: `+hh:mm`, UTC, GMT, Z, the military letters but A, J and P
+/// (which may mean morning and afternoon), and the names of zones that mean one offset
+/// only; CST, MST, PST, EST and their summer times are those of North America. Spaces of
+/// any kind count as one.
 /// @returns  none when the text is anything else.
 std::optional<DateTime> parse_date(std::string_view text, DateOrder order);
 
@@ -28,7 +35,8 @@ std::optional<DateTime> parse_date(std::string_view text, DateOrder order);
 std::optional<double> parse_utc(std::string_view text);
 
 /// As parse_date(), or a number: seconds since 1970 from 1e8 on, milliseconds from 1e11
-/// on; dates of 8, 12 or 14 digits; below, seconds from an unknown origin.
+/// on; dates of 8, 10 (with the hour), 12 or 14 digits; below, seconds from an unknown
+/// origin.
 /// @param plain  a number is seconds from an unknown origin, however large (below 1e12).
 std::optional<DateTime> parse_date_or_number(std::string_view text, DateOrder order,
                                              bool plain);
@@ -40,11 +48,12 @@ std::optional<DateTime> find_date(std::string_view text);
 /// `14:04`, `14:04:30`, `1404`, `2:04 PM` as seconds after 00:00.
 std::optional<double> parse_time_of_day(std::string_view text);
 
-/// The order that a date with slashes shows by a number above 12; none where it shows
-/// nothing, or where there is no such date.
-std::optional<DateOrder> shown_order(std::string_view text);
+/// The moment as `2021-09-05T14:04:00Z`, whole seconds.
+std::string utc_text(double seconds);
 
-/// Whether the text begins like a date with slashes, whose order matters.
-bool has_slash_date(std::string_view text);
+/// `text` without spaces at its ends, and with plain spaces for the others that Unicode
+/// has (browsers write a narrow no-break space before AM); marks of direction are left
+/// out.
+std::string plain_spaces(std::string_view text);
 
 }  // namespace skein::environment

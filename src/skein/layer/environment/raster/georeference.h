@@ -17,6 +17,9 @@ inline Vec2 affine(const Affine& c, const Vec2& p) {
 struct Georeference {
   int columns = 0, rows = 0;
   bool geographic = false;         ///< its axes are latitude and longitude
+  bool around = false;             ///< its columns go once around the Earth
+  double vertical_unit = 0;        ///< of its heights, by its system [m]; 0: not said
+  bool depths = false;             ///< its system counts downwards
   Affine geo{};                    ///< pixel to the raster's system, affine
   Affine inverse{};                ///< and back
   geo::GdalTransform to_raster;    ///< WGS 84 degrees to the raster's system

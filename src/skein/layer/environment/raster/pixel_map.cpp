@@ -63,6 +63,10 @@ PixelWindow window_around(const PixelMap& map, const Georeference& raster) {
   window.first_column = limit(std::floor(low.x()) - 1, raster.columns);
   window.first_row = limit(std::floor(low.y()) - 1, raster.rows);
   window.columns = limit(std::ceil(high.x()) + 1, raster.columns) - window.first_column;
+  if (raster.around) {
+    window.first_column = static_cast<int>(std::floor(low.x())) - 1;
+    window.columns = static_cast<int>(std::ceil(high.x())) + 1 - window.first_column;
+  }
   window.rows = limit(std::ceil(high.y()) + 1, raster.rows) - window.first_row;
   return window;
 }
@@ -119,8 +123,19 @@ Result<PixelMap> map_pixels(const Georeference& raster, const geo::LocalFrame& f
       k.grid_north = grid_north_of(raster_point(knot(r0 + 1, c0)) - corner,
                                    raster_point(knot(r0, c0 + 1)) - corner);
     }
+  if (raster.around) map.count_on();
   map.window_ = window_around(map, raster);
   return map;
+}
+
+// Columns of all knots from those of the first turn on, so that none is below 0; the area
+// may reach into the second turn.
+void PixelMap::count_on() {
+  double low = knots_.front().pixel.x();
+  for (const Knot& knot : knots_) low = std::min(low, knot.pixel.x());
+  const double turns = std::floor(low / raster_columns_) * raster_columns_;
+  for (Knot& knot : knots_) knot.pixel.x() -= turns;
+  raster_columns_ *= 2;
 }
 
 PixelMap::Knot PixelMap::knot_mix(int row, int column) const {

@@ -17,12 +17,18 @@ enum class Missing {
   kKeep,     ///< leave NaN
 };
 
+/// Column of a raster that goes once around the Earth, counted on beyond its ends.
+inline int around(int column, int columns) {
+  return (column % columns + columns) % columns;
+}
+
 /// A rectangle of pixels, values unpacked (scale * stored + offset); NaN where the file
 /// declares that there is no value.
 struct PixelWindow {
-  int first_column = 0, first_row = 0;  ///< in the raster
-  int columns = 0, rows = 0;            ///< may be 0: nothing of the raster is requested
-  std::vector<double> values;           ///< index row * columns + column
+  /// In the raster; over the seam of one that goes around the Earth columns count on.
+  int first_column = 0, first_row = 0;
+  int columns = 0, rows = 0;   ///< may be 0: nothing of the raster is requested
+  std::vector<double> values;  ///< index row * columns + column
 };
 
 /// Where the nodes of a local grid fall in a raster: pixel coordinates, (0.5, 0.5) being
@@ -32,7 +38,8 @@ class PixelMap {
  public:
   /// The grid on which results are requested.
   const GridShape& shape() const { return shape_; }
-  /// The pixels that bilinear sampling of the grid needs, within the raster.
+  /// The pixels that bilinear sampling of the grid needs, within the raster; see
+  /// PixelWindow for its seam.
   const PixelWindow& window() const { return window_; }
   /// (column, row) in the raster of a node.
   Vec2 pixel(int row, int column) const;
@@ -49,6 +56,7 @@ class PixelMap {
     Vec2 grid_north, true_north;  // unit vectors in the local frame
   };
   Knot knot_mix(int row, int column) const;
+  void count_on();
 
   GridShape shape_;
   PixelWindow window_;

@@ -21,6 +21,22 @@ std::string joined(const std::vector<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
+// Whether the columns of a raster in degrees cover all longitudes once.
+bool goes_around(const Georeference& place) {
+  const double width = std::abs(place.geo[1]);
+  return place.geo[2] == 0 && place.geo[4] == 0 &&
+         std::abs(width * place.columns - 360) < width / 2;
+}
+
+// The unit and sense of heights.
+void read_vertical(OGRSpatialReferenceH system, Georeference& place) {
+  if (OSRIsCompound(system) == 0 && OSRIsVertical(system) == 0) return;
+  place.vertical_unit = OSRGetTargetLinearUnits(system, "VERT_CS", nullptr);
+  OGRAxisOrientation sense = OAO_Other;
+  OSRGetAxis(system, "VERT_CS", 0, &sense);
+  place.depths = sense == OAO_Down;
+}
+
 }  // namespace
 
 struct RasterFile::Handles {
@@ -65,6 +81,8 @@ Result<void> RasterFile::georeference() {
   OGRSpatialReferenceH system = OSRNewSpatialReference(facts.system.c_str());
   if (system != nullptr) {
     place.geographic = OSRIsGeographic(system) != 0;
+    place.around = place.geographic && goes_around(place);
+    read_vertical(system, place);
     place.to_raster = geo::transform_from_degrees(system);
     place.from_raster = geo::transform_to_degrees(system);
     OSRDestroySpatialReference(system);
@@ -83,6 +101,12 @@ int RasterFile::rows() const {
 }
 bool RasterFile::geographic() const {
   return handles_->place.geographic;
+}
+
+std::optional<double> RasterFile::vertical_unit() const {
+  const Georeference& place = handles_->place;
+  if (place.vertical_unit == 0) return std::nullopt;
+  return place.depths ? -place.vertical_unit : place.vertical_unit;
 }
 
 Result<int> RasterFile::find_band(int number, const std::string& name) const {
@@ -147,7 +171,30 @@ Result<PixelWindow> RasterFile::read(int band, const PixelWindow& window) const 
     return error(fmt::format("the area has {:.0f} pixels; at most {:.0f} are allowed",
                              count, kLargestWindow),
                  "use a smaller area or a coarser raster");
+  if (window.first_column < 0 || window.first_column + window.columns > columns())
+    return read_around(band, window);
   return handles_->service.read(band, window);
+}
+
+// In parts that lie within the raster, side by side.
+Result<PixelWindow> RasterFile::read_around(int band, const PixelWindow& window) const {
+  PixelWindow whole = window;
+  whole.values.resize(static_cast<std::size_t>(window.columns) *
+                      static_cast<std::size_t>(window.rows));
+  for (int done = 0; done < window.columns;) {
+    PixelWindow part = window;
+    part.first_column = around(window.first_column + done, columns());
+    part.columns = std::min(window.columns - done, columns() - part.first_column);
+    const auto pixels = handles_->service.read(band, part);
+    if (!pixels) return pixels.error();
+    auto from = pixels.value().values.begin();
+    for (int r = 0; r < window.rows; ++r, from += part.columns)
+      std::copy_n(
+          from, part.columns,
+          whole.values.begin() + static_cast<std::ptrdiff_t>(r) * window.columns + done);
+    done += part.columns;
+  }
+  return whole;
 }
 
 Result<GridField> read_grid(const std::string& path, int band, const std::string& name,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,10 @@ class RasterFile {
   /// Whether the raster's axes are latitude and longitude.
   bool geographic() const;
 
+  /// One unit of the heights of its vertical reference system [m]; none when it has no
+  /// such system. Negative where that counts downwards.
+  std::optional<double> vertical_unit() const;
+
   /// The band with this number, or, when `name` is not empty, the only one of this name.
   /// Fails: kNotFound with the names there are.
   Result<int> find_band(int number, const std::string& name) const;
@@ -54,9 +59,11 @@ class RasterFile {
 
   /// Reads pixels. Fails: kBadInput when the file is truncated or corrupt, or holds a
   /// value that is not finite and is not declared as "no value".
+  /// A window may reach over the seam of a raster that goes once around the Earth.
   Result<PixelWindow> read(int band, const PixelWindow& window) const;
 
  private:
+  Result<PixelWindow> read_around(int band, const PixelWindow& window) const;
   struct Handles;
   RasterFile(std::string path, std::unique_ptr<Handles> handles);
   Error error(const std::string& message, const std::string& hint = "") const;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "skein/geo/gdal/gdal_guard.h"
@@ -63,6 +64,34 @@ std::string system_of(GDALDatasetH dataset) {
   std::string words = text == nullptr ? "" : text;
   CPLFree(text);
   return words;
+}
+
+// Whether a NetCDF file's axes are longitude and latitude by the conventions of CF, which
+// ask for no reference system then.
+bool has_degrees_of_cf(GDALDatasetH dataset, const RasterFacts& facts) {
+  if (driver_of(dataset) != "netCDF") return false;
+  bool north = false, east = false;
+  char** metadata = GDALGetMetadata(dataset, nullptr);
+  for (int i = 0; metadata != nullptr && metadata[i] != nullptr; ++i) {
+    const std::string_view line = metadata[i];
+    const std::size_t key = line.find("#units=");
+    if (key == std::string_view::npos) continue;
+    const std::string_view unit = line.substr(key + 7);
+    for (const std::string_view ending : {"north", "N", "_N"})
+      north = north || (unit.starts_with("degree") && unit.ends_with(ending));
+    for (const std::string_view ending : {"east", "E", "_E"})
+      east = east || (unit.starts_with("degree") && unit.ends_with(ending));
+  }
+  if (!north || !east) return false;
+  const Affine& geo = facts.geo;
+  const Vec2 corner = affine(geo, Vec2(facts.columns, facts.rows));
+  // Half a pixel of a world-wide grid may reach over a pole.
+  const double beyond = std::abs(geo[5]);
+  for (const double latitude : {geo[3], corner.y()})
+    if (std::abs(latitude) > 90 + beyond) return false;
+  for (const double longitude : {geo[0], corner.x()})
+    if (std::abs(longitude) > 540) return false;
+  return geo[2] == 0 && geo[4] == 0;
 }
 
 }  // namespace
@@ -128,6 +157,8 @@ Result<void> RasterSource::look() {
     return error("has no georeference: nothing says where its pixels lie",
                  "an affine transform (world file, GeoTIFF tags...) is needed");
   facts_.system = system_of(dataset);
+  if (facts_.system.empty() && has_degrees_of_cf(dataset, facts_))
+    facts_.system = "EPSG:4326";
   if (facts_.system.empty())
     return error("has no coordinate reference system",
                  "assign one, for example with gdal_translate -a_srs");

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <set>
 
+#include "skein/layer/environment/raster/date_column.h"
+
 namespace skein::environment {
 namespace {
 
@@ -39,23 +41,28 @@ constexpr std::string_view kTitles[] = {"name", "title", "label", "mission"};
 
 class LayerTimes {
  public:
-  LayerTimes(const PerimeterFileOptions& options, Assumptions& assumed)
-      : options_(options), assumed_(assumed) {}
+  LayerTimes(std::span<const VectorFeature> layer, const PerimeterFileOptions& options,
+             Assumptions& assumed)
+      : layer_(layer), options_(options), assumed_(assumed) {}
 
-  Result<Times> times_of(std::span<const VectorFeature> layer) {
-    const std::string name = time_attribute(layer);
+  Result<Times> times() {
+    const std::string name = time_attribute();
     Times times;
     if (name.empty()) {
-      times = options_.time_field.empty() ? times_in_names(layer) : Times(layer.size());
+      times = options_.time_field.empty() ? times_in_names() : Times(layer_.size());
     } else {
-      times = read_times(layer, name, order_of(layer, name));
-      for (std::size_t k = 0; k < layer.size(); ++k)
-        if (const Attribute* each = find_attribute(layer[k], name);
-            each != nullptr && !times[k])
-          return Error{ErrorCode::kBadInput, layer[k].outline.place,
-                       fmt::format("attribute {} is no time: \"{}\"", name, each->text),
-                       time_hint(layer[k])};
-      complete(layer, name, times);
+      DateColumn column = column_of(name);
+      if (column.wrong) {
+        const VectorFeature& feature = layer_[*column.wrong];
+        return Error{ErrorCode::kBadInput, feature.outline.place,
+                     fmt::format("attribute {} is no time: \"{}\"", name,
+                                 find_attribute(feature, name)->text),
+                     time_hint(feature)};
+      }
+      note(column, name);
+      times = std::move(column.times);
+      complete(name, times);
+      if (options_.time_field.empty()) fill_from_others(name, times);
     }
     for (auto& time : times) {
       if (!time || !time->utc) continue;
@@ -69,27 +76,25 @@ class LayerTimes {
   }
 
  private:
-  DateOrder order_of(std::span<const VectorFeature> layer, const std::string& name) {
-    bool slashes = false;
-    for (const VectorFeature& feature : layer)
-      if (const Attribute* each = find_attribute(feature, name)) {
-        if (const auto order = shown_order(each->text)) return *order;
-        slashes = slashes || has_slash_date(each->text);
-      }
-    if (slashes) assumed_.add(fmt::format("in {} the month stands before the day", name));
-    return DateOrder::kMonthFirst;
+  DateColumn column_of(const std::string& name, bool numbers = true) const {
+    std::vector<std::string> texts;
+    for (const VectorFeature& feature : layer_) {
+      const Attribute* each = find_attribute(feature, name);
+      texts.push_back(each != nullptr ? each->text : "");
+    }
+    return read_date_column(texts, name,
+                            {.order = options_.date_order,
+                             .plain_seconds = is_plain_seconds(name),
+                             .numbers = numbers});
   }
 
-  Times read_times(std::span<const VectorFeature> layer, const std::string& name,
-                   DateOrder order) const {
-    Times times;
-    for (const VectorFeature& feature : layer) {
-      const Attribute* each = find_attribute(feature, name);
-      times.push_back(each != nullptr ? parse_date_or_number(each->text, order,
-                                                             is_plain_seconds(name))
-                                      : std::nullopt);
-    }
-    return times;
+  void note(const DateColumn& column, const std::string& name) {
+    for (const std::string& line : column.understood) assumed_.add(line);
+    if (column.placeholders > 0)
+      assumed_.add(
+          fmt::format("{} value(s) of {} mean that there is no time, such as "
+                      "\"{}\"",
+                      column.placeholders, name, column.placeholder));
   }
 
   static bool any(const Times& times) {
@@ -108,64 +113,91 @@ class LayerTimes {
                        [](const auto& t) { return t && t->utc && t->zone; });
   }
 
-  // The attribute with the times of a layer; empty: none.
-  std::string time_attribute(std::span<const VectorFeature> layer) {
-    Names names;  // of all attributes, in their order
-    for (const VectorFeature& feature : layer)
+  // Features whose own attribute says nothing, from the next known ones that do.
+  void fill_from_others(const std::string& chosen, Times& times) {
+    if (!is_utc(times)) return;
+    for (const std::string& name : known_) {
+      if (name == chosen) continue;
+      if (std::all_of(times.begin(), times.end(), [](const auto& t) { return !!t; }))
+        return;
+      DateColumn column = column_of(name);
+      if (column.wrong || !is_utc(column.times)) continue;
+      complete(name, column.times);
+      int filled = 0;
+      for (std::size_t k = 0; k < times.size(); ++k) {
+        if (times[k] || !column.times[k] || !column.times[k]->utc) continue;
+        times[k] = column.times[k];
+        ++filled;
+      }
+      if (filled == 0) continue;
+      note(column, name);
+      assumed_.add(fmt::format("{} time(s) are from {}, as {} is empty there", filled,
+                               name, chosen));
+    }
+  }
+
+  Names all_names() const {
+    Names names;  // in their order
+    for (const VectorFeature& feature : layer_)
       for (const Attribute& each : feature.attributes)
         if (std::find(names.begin(), names.end(), each.name) == names.end())
           names.push_back(each.name);
+    return names;
+  }
+
+  // The attribute with the times of a layer; empty: none.
+  std::string time_attribute() {
+    const Names names = all_names();
     if (!options_.time_field.empty()) {
       for (const std::string& name : names)
         if (in_capitals(name) == in_capitals(options_.time_field)) return name;
       return "";
     }
-    Names known;
     for (const std::string_view own : kOwnNames)
       for (const std::string& name : names)
-        if (in_capitals(name) == in_capitals(std::string(own))) known.push_back(name);
-    const std::size_t own_names = known.size();
+        if (in_capitals(name) == in_capitals(std::string(own))) known_.push_back(name);
+    const std::size_t own_names = known_.size();
     for (const std::string_view agency : kAgencyNames)
       for (const std::string& name : names)
         if (is_named(name, agency) &&
-            std::find(known.begin(), known.end(), name) == known.end())
-          known.push_back(name);
+            std::find(known_.begin(), known_.end(), name) == known_.end())
+          known_.push_back(name);
     std::string chosen;
-    for (const std::string& name : known) {
-      const Times times = read_times(layer, name, DateOrder::kMonthFirst);
-      if (!any(times) && !any(read_times(layer, name, DateOrder::kDayFirst))) continue;
+    for (const std::string& name : known_) {
+      const Times times = column_of(name).times;
+      if (!any(times)) continue;
       if (chosen.empty() || is_surer(times, chosen)) chosen = name;
       if (is_utc(times)) break;
     }
     if (!chosen.empty()) {
-      const auto at = std::find(known.begin(), known.end(), chosen);
-      if (at - known.begin() >= static_cast<std::ptrdiff_t>(own_names)) {
-        known.erase(at);
+      const auto at = std::find(known_.begin(), known_.end(), chosen);
+      if (at - known_.begin() >= static_cast<std::ptrdiff_t>(own_names)) {
+        Names others = known_;
+        std::erase(others, chosen);
         assumed_.add(fmt::format(
             "times are in {}{}", chosen,
-            known.empty() ? "" : fmt::format(" (not in {})", fmt::join(known, ", "))));
+            others.empty() ? "" : fmt::format(" (not in {})", fmt::join(others, ", "))));
       }
       return chosen;
     }
-    if (!known.empty()) return known.front();  // what it holds instead is reported
-    return most_different_dates(layer, names);
+    if (!known_.empty()) return known_.front();  // what it holds instead is reported
+    return most_different_dates(names);
   }
 
-  std::string most_different_dates(std::span<const VectorFeature> layer,
-                                   const Names& names) {
+  std::string most_different_dates(const Names& names) {
     std::string best;
-    std::size_t most = layer.size() == 1 ? 0 : 1;
+    std::size_t most = layer_.size() == 1 ? 0 : 1;
     for (const std::string& name : names) {
+      // A number of eight digits under any name is more likely a number.
+      const DateColumn column = column_of(name, false);
       std::set<double> values;
-      bool good = true;
-      for (const VectorFeature& feature : layer)
-        if (const Attribute* each = find_attribute(feature, name)) {
-          auto date = parse_date(each->text, DateOrder::kMonthFirst);
-          if (!date) date = parse_date(each->text, DateOrder::kDayFirst);
-          // A number of eight digits under any name is more likely a number.
-          good = good && date && each->text.find_first_of("-/.:") != std::string::npos;
-          if (date) values.insert(date->value);
-        }
+      bool good = !column.wrong;
+      for (std::size_t k = 0; k < layer_.size(); ++k) {
+        if (!column.times[k]) continue;
+        good = good && find_attribute(layer_[k], name)->text.find_first_of("-/.: ") !=
+                           std::string::npos;
+        values.insert(column.times[k]->value);
+      }
       if (!good || values.size() <= most) continue;
       most = values.size();
       best = name;
@@ -175,9 +207,9 @@ class LayerTimes {
     return best;
   }
 
-  Times times_in_names(std::span<const VectorFeature> layer) {
+  Times times_in_names() {
     Times times;
-    for (const VectorFeature& feature : layer) {
+    for (const VectorFeature& feature : layer_) {
       std::optional<DateTime> time;
       if (const Attribute* title = find_known(feature, kTitles)) {
         time = find_date(title->text);
@@ -197,15 +229,14 @@ class LayerTimes {
   }
 
   // Times of day from another attribute, where there are dates only.
-  void complete(std::span<const VectorFeature> layer, const std::string& dates,
-                Times& times) {
+  void complete(const std::string& dates, Times& times) {
     const bool without = std::all_of(times.begin(), times.end(), [](const auto& t) {
       return !t || (t->utc && !t->time_of_day);
     });
     if (!without || !any(times)) return;
-    for (std::size_t k = 0; k < layer.size(); ++k) {
+    for (std::size_t k = 0; k < layer_.size(); ++k) {
       if (!times[k]) continue;
-      for (const Attribute& each : layer[k].attributes) {
+      for (const Attribute& each : layer_[k].attributes) {
         const bool named =
             std::any_of(std::begin(kTimesOfDay), std::end(kTimesOfDay),
                         [&](std::string_view n) { return is_named(each.name, n); });
@@ -220,15 +251,17 @@ class LayerTimes {
     }
   }
 
+  std::span<const VectorFeature> layer_;
   const PerimeterFileOptions& options_;
   Assumptions& assumed_;
+  Names known_;  // attributes that may have times, the best first
 };
 
 }  // namespace
 
 Result<Times> times_of_layer(std::span<const VectorFeature> layer,
                              const PerimeterFileOptions& options, Assumptions& assumed) {
-  return LayerTimes(options, assumed).times_of(layer);
+  return LayerTimes(layer, options, assumed).times();
 }
 
 std::string time_hint(const VectorFeature& feature) {

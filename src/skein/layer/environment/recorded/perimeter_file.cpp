@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "skein/geo/gdal/gdal_guard.h"
+#include "skein/geo/gdal/vector_files.h"
 #include "skein/layer/environment/raster/csv_table.h"
-#include "skein/layer/environment/raster/date_time.h"
+#include "skein/layer/environment/raster/date_column.h"
 #include "skein/layer/environment/recorded/feature_times.h"
 #include "skein/layer/environment/recorded/fire_features.h"
 #include "skein/layer/environment/recorded/vector_layer.h"
@@ -16,17 +18,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<DateTime> table_time(const CsvTable& table, std::size_t row, std::size_t column,
-                            double utc_offset_h) {
-  const std::string& text = table.text(row, column);
+// The times of all rows; none for rows that have none.
+Result<std::vector<std::optional<DateTime>>> table_times(
+    const CsvTable& table, std::size_t column, const std::string& path,
+    const PerimeterFileOptions& options, std::vector<std::string>& warnings) {
   const std::string& name = table.names()[column];
-  auto time = parse_date_or_number(text, DateOrder::kMonthFirst, is_plain_seconds(name));
-  if (!time)
-    return Error{ErrorCode::kBadInput, table.place(row),
-                 fmt::format("column {}: \"{}\" is no time", name, text),
+  std::vector<std::string> texts;
+  for (std::size_t row = 0; row < table.size(); ++row)
+    texts.push_back(table.text(row, column));
+  DateColumn dates = read_date_column(
+      texts, name,
+      {.order = options.date_order, .plain_seconds = is_plain_seconds(name)});
+  if (dates.wrong)
+    return Error{ErrorCode::kBadInput, table.place(*dates.wrong),
+                 fmt::format("column {}: \"{}\" is no time", name, texts[*dates.wrong]),
                  "seconds or ISO 8601 are allowed"};
-  if (!time->zone) time->value -= 3600 * utc_offset_h;
-  return *time;
+  for (const std::string& line : dates.understood)
+    warnings.push_back(fmt::format("{}: assumed: {}", path, line));
+  std::size_t none = 0;
+  for (auto& time : dates.times) {
+    if (!time)
+      ++none;
+    else if (!time->zone)
+      time->value -= 3600 * options.utc_offset_h;
+  }
+  if (none == table.size())
+    return Error{ErrorCode::kBadInput, path, fmt::format("column {} has no time", name),
+                 "seconds or ISO 8601 are allowed"};
+  if (none > 0)
+    warnings.push_back(fmt::format(
+        "{}: {} row(s) without a time left out{}", path, none,
+        dates.placeholders > 0 ? fmt::format(", such as \"{}\"", dates.placeholder)
+                               : std::string()));
+  return std::move(dates.times);
 }
 
 // Where the table says the perimeter of a row is.
@@ -70,13 +94,16 @@ Result<RawSeries> read_table(const std::string& path, const PerimeterFileOptions
                  "for example seconds or time_utc"};
   if (table.size() == 0)
     return Error{ErrorCode::kBadInput, path, "has a header but no rows", ""};
+  const auto times = table_times(table, *time, path, options, warnings);
+  if (!times) return times.error();
   RawSeries series;
   VectorReader reader;
   for (std::size_t row = 0; row < table.size(); ++row) {
-    const auto at = table_time(table, row, *time, options.utc_offset_h);
-    if (!at) return at.error();
-    if (row > 0 && at.value().utc != series.utc) return mixed_times(table.place(row));
-    series.utc = at.value().utc;
+    const auto& at = times.value()[row];
+    if (!at) continue;
+    if (!series.perimeters.empty() && at->utc != series.utc)
+      return mixed_times(table.place(row));
+    series.utc = at->utc;
     const auto file = row_file(table, row, path);
     if (!file) return file.error();
     std::error_code ignored;
@@ -85,7 +112,7 @@ Result<RawSeries> read_table(const std::string& path, const PerimeterFileOptions
                    "there is no file " + file.value(), ""};
     auto features = reader.read(file.value(), warnings);
     if (!features) return features.error();
-    RawPerimeter whole{at.value().value, file.value(), {}, {}};
+    RawPerimeter whole{at->value, file.value(), {}, {}};
     for (VectorFeature& feature : features.value()) {
       std::move(feature.outline.polygons.begin(), feature.outline.polygons.end(),
                 std::back_inserter(whole.polygons));
@@ -119,10 +146,16 @@ Result<std::vector<VectorFeature>> read_files(const std::vector<std::string>& fi
   VectorReader reader;
   std::vector<VectorFeature> all;
   for (const std::string& file : files) {
-    const bool zipped = fs::path(file).extension() == ".zip";
-    auto features = reader.read(zipped ? "/vsizip/" + file : file, warnings);
-    if (!features) return features.error();
-    std::move(features.value().begin(), features.value().end(), std::back_inserter(all));
+    const auto datasets = [&] {
+      const geo::GdalGuard guard;
+      return geo::vector_datasets(file);
+    }();
+    for (const std::string& dataset : datasets) {
+      auto features = reader.read(dataset, warnings);
+      if (!features) return features.error();
+      std::move(features.value().begin(), features.value().end(),
+                std::back_inserter(all));
+    }
   }
   return all;
 }
@@ -130,11 +163,7 @@ Result<std::vector<VectorFeature>> read_files(const std::vector<std::string>& fi
 }  // namespace
 
 bool is_vector_name(const fs::path& path) {
-  const std::string kind = path.extension().string();
-  for (const char* known : {".geojson", ".json", ".shp", ".gpkg", ".kml", ".kmz", ".gml",
-                            ".gdb", ".zip", ".fgb"})
-    if (kind == known) return true;
-  return false;
+  return geo::is_vector_name(path);
 }
 
 Result<RawSeries> read_vector(const std::string& name,
@@ -151,7 +180,7 @@ Result<RawSeries> read_perimeters(const std::string& path,
   std::error_code ignored;
   if (!fs::exists(path, ignored))
     return Error{ErrorCode::kNotFound, path, "there is no such file or folder", ""};
-  if (fs::path(path).extension() == ".csv") return read_table(path, options, warnings);
+  if (geo::small_ending(path) == ".csv") return read_table(path, options, warnings);
   if (!fs::is_directory(path, ignored) || is_vector_name(path))
     return read_vector(path, options, warnings);
   const fs::path table = fs::path(path) / "perimeters.csv";

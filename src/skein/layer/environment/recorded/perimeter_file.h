@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "skein/base/result.h"
+#include "skein/layer/environment/raster/date_time.h"
 #include "skein/layer/environment/recorded/perimeter.h"
 
 namespace skein::environment {
@@ -21,6 +23,7 @@ struct PerimeterFileOptions {
       {};  ///< attribute or column with the time; empty: it is looked for
   std::string incident = {};  ///< name of the fire, of those that a source holds
   double utc_offset_h = 0;    ///< local time minus UTC of times without a zone [h]
+  std::optional<DateOrder> date_order = {};  ///< of dates; none: the one that they show
 };
 
 /// Reads the outlines of a fire with their times, in any vector format of

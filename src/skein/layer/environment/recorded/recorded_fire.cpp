@@ -6,7 +6,10 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 
+#include "skein/geo/gdal/vector_files.h"
+#include "skein/geo/unit_words.h"
 #include "skein/layer/environment/raster/raster_file.h"
 #include "skein/layer/environment/recorded/arrival_fire.h"
 #include "skein/layer/environment/recorded/perimeter_fire.h"
@@ -14,6 +17,7 @@
 namespace skein::environment {
 namespace {
 
+constexpr double kLastArrival = 1e9;  // some 30 years [s]
 constexpr double kWantedNodes = 200e3;
 constexpr double kFinest = 5;       // spacing chosen by default [m]
 constexpr double kMaxNodes = 20e6;  // times perimeters: 160 MB
@@ -77,10 +81,11 @@ Result<void> check_options(const RecordedFireOptions& options) {
                  fmt::format("spacing {} m must not be below 0", options.spacing));
   if (!(options.start >= 0 && options.start <= 1e9))
     return error(options, fmt::format("start {} s: 0 to 1e9 is allowed", options.start));
-  if (!(options.arrival_unit > 0 && options.arrival_unit <= 1e6))
+  if (options.arrival_unit &&
+      !(*options.arrival_unit > 0 && *options.arrival_unit <= 1e6))
     return error(options,
                  fmt::format("arrival_unit {} s: above 0 and up to 1e6 is allowed",
-                             options.arrival_unit));
+                             *options.arrival_unit));
   if (!(options.repair.outlier_share > 0 && options.repair.outlier_share <= 1))
     return error(options, fmt::format("outlier_share {}: above 0 and up to 1 is allowed",
                                       options.repair.outlier_share));
@@ -94,8 +99,7 @@ bool is_arrival(const RecordedFireOptions& options) {
   if (options.kind != RecordedKind::kAuto) return options.kind == RecordedKind::kArrival;
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(options.path, ignored)) return false;
-  const std::string kind = std::filesystem::path(options.path).extension().string();
-  return kind != ".csv" && RasterFile::open(options.path).ok();
+  return geo::small_ending(options.path) != ".csv" && RasterFile::open(options.path).ok();
 }
 
 struct Series {
@@ -135,6 +139,46 @@ struct Arrival {
   double last_time;
 };
 
+// Seconds in one unit of the raster's times.
+Result<double> unit_of_times(const RecordedFireOptions& options, const std::string& unit,
+                             std::vector<std::string>& warnings) {
+  if (options.arrival_unit) return *options.arrival_unit;
+  if (const auto seconds = geo::time_unit(unit)) return *seconds;
+  if (!unit.empty())
+    return error(
+        options, fmt::format("has arrival times in \"{}\"", unit),
+        "seconds, minutes, hours and days are allowed; arrival_unit_s says them");
+  warnings.push_back(options.path +
+                     ": assumed: its times are seconds (else give arrival_unit_s)");
+  return 1.0;
+}
+
+// Two features of one time are parts of one perimeter; said once for all of them.
+void note_same_times(const std::string& path, const RawSeries& raw,
+                     std::vector<std::string>& warnings) {
+  std::map<double, std::size_t> count;
+  for (const RawPerimeter& each : raw.perimeters) ++count[each.time];
+  constexpr std::size_t kShown = 3;
+  std::string shown;
+  std::size_t times = 0;
+  for (const auto& [time, features] : count) {
+    if (features < 2 || ++times > kShown) continue;
+    shown += fmt::format("{}{} at {}", times > 1 ? ", " : "", features,
+                         raw.utc ? utc_text(time) : fmt::format("{} s", time));
+  }
+  if (times == 0) return;
+  if (times > kShown) shown += fmt::format(" and so on, {} times in all", times);
+  warnings.push_back(fmt::format("{}: features of one time are united: {}", path, shown));
+}
+
+// Whether a series holds anything is known only once it is read.
+Result<RawSeries> read_series(const RecordedFireOptions& options,
+                              std::vector<std::string>& warnings) {
+  auto raw = read_perimeters(options.path, options.file, warnings);
+  if (raw) note_same_times(options.path, raw.value(), warnings);
+  return raw;
+}
+
 Result<Arrival> load_arrival(const RecordedFireOptions& options,
                              std::vector<std::string>& warnings) {
   auto file = RasterFile::open(options.path);
@@ -144,6 +188,9 @@ Result<Arrival> load_arrival(const RecordedFireOptions& options,
   PixelWindow all;
   all.columns = file.value().columns();
   all.rows = file.value().rows();
+  const BandInfo& info = file.value().bands()[static_cast<std::size_t>(band.value()) - 1];
+  const auto unit = unit_of_times(options, info.unit, warnings);
+  if (!unit) return unit.error();
   auto pixels = file.value().read(band.value(), all);
   if (!pixels) return pixels.error();
   Arrival arrival{std::move(file).value(),
@@ -155,7 +202,7 @@ Result<Arrival> load_arrival(const RecordedFireOptions& options,
                   Vec2::Zero(),
                   0};
   double earliest = std::numeric_limits<double>::infinity();
-  std::size_t negative = 0, i = 0;
+  std::size_t negative = 0, endless = 0, i = 0;
   for (int r = 0; r < all.rows; ++r)
     for (int c = 0; c < all.columns; ++c, ++i) {
       double& t = arrival.pixels.values[i];
@@ -166,7 +213,13 @@ Result<Arrival> load_arrival(const RecordedFireOptions& options,
         t = std::nan("");
         continue;
       }
-      t *= options.arrival_unit;
+      t *= unit.value();
+      if (t > kLastArrival) {
+        // Others write 1e20 or the largest number there is.
+        ++endless;
+        t = std::nan("");
+        continue;
+      }
       arrival.first_row = std::min(arrival.first_row, r);
       arrival.last_row = std::max(arrival.last_row, r);
       arrival.first_column = std::min(arrival.first_column, c);
@@ -182,6 +235,10 @@ Result<Arrival> load_arrival(const RecordedFireOptions& options,
     warnings.push_back(
         fmt::format("{}: {} pixels with a time below 0 count as never burnt",
                     options.path, negative));
+  if (endless > 0)
+    warnings.push_back(
+        fmt::format("{}: {} pixels with a time above {:g} s count as never burnt",
+                    options.path, endless, kLastArrival));
   if (options.start > arrival.last_time)
     return error(options, fmt::format("start {} s lies after the last arrival, {} s",
                                       options.start, arrival.last_time));
@@ -220,7 +277,8 @@ Result<GridField> arrival_field(const RecordedFireOptions& options,
       window.values.push_back(
           arrival.pixels.values[static_cast<std::size_t>(window.first_row + r) *
                                     static_cast<std::size_t>(arrival.pixels.columns) +
-                                static_cast<std::size_t>(window.first_column + c)]);
+                                static_cast<std::size_t>(around(
+                                    window.first_column + c, arrival.pixels.columns))]);
   return resample(window, map.value(), Missing::kKeep, options.path);
 }
 
@@ -238,7 +296,7 @@ Result<std::unique_ptr<Phenomenon>> make_recorded_fire(
     return std::unique_ptr<Phenomenon>(
         std::make_unique<ArrivalFire>(std::move(field).value(), options.start));
   }
-  auto raw = read_perimeters(options.path, options.file, warnings);
+  auto raw = read_series(options, warnings);
   if (!raw) return raw.error();
   const auto series = load_series(options, std::move(raw).value(), frame, warnings);
   if (!series) return series.error();
@@ -274,7 +332,7 @@ Result<RecordedFireSummary> summarise_recorded_fire(const RecordedFireOptions& o
     summary.high = box.high;
     return summary;
   }
-  auto raw = read_perimeters(options.path, options.file, warnings);
+  auto raw = read_series(options, warnings);
   if (!raw) return raw.error();
   // Any point of the fire serves as a first origin.
   const Vec2* any = nullptr;

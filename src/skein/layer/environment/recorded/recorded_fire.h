@@ -29,7 +29,9 @@ struct RecordedFireOptions {
                               ///< finer than 5 m
   RepairOptions repair;       ///< what to do with invalid perimeters
   int arrival_band = 1;       ///< band of the arrival-time raster
-  double arrival_unit = 1;    ///< of the raster's times [s]: 1, 60 or 3600
+  /// Of the raster's times [s]: 1, 60 or 3600; none: as the file says, 1 with a warning
+  /// where it says none.
+  std::optional<double> arrival_unit = {};
 };
 
 /// A recorded fire as truth, from dated perimeters or an arrival-time raster.

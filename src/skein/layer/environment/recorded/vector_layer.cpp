@@ -16,6 +16,7 @@
 #include "skein/base/valid_text.h"
 #include "skein/geo/gdal/gdal_guard.h"
 #include "skein/geo/gdal/gdal_handles.h"
+#include "skein/geo/gdal/vector_files.h"
 
 namespace skein::environment {
 namespace {
@@ -33,16 +34,32 @@ struct DestroyGeometry {
     OGR_G_DestroyGeometry(static_cast<OGRGeometryH>(geometry));
   }
 };
+
+// Features of one kind that were left out.
+struct LeftOut {
+  std::size_t count = 0;
+  std::string first;  // its place
+
+  void add(const std::string& place) {
+    if (count++ == 0) first = place;
+  }
+};
+
+// What of a file is counted over all its features.
+struct Counts {
+  std::size_t points = 0;
+  LeftOut empty, of_points;
+};
+
 // Takes geometry apart into rings and lines, in degrees.
 class Collector {
  public:
-  Collector(const std::string& place, void* to_degrees, std::size_t& points,
-            std::vector<std::string>& warnings)
-      : place_(place), to_degrees_(to_degrees), points_(points), warnings_(warnings) {}
+  Collector(const std::string& place, void* to_degrees, Counts& counts)
+      : place_(place), to_degrees_(to_degrees), counts_(counts) {}
 
   Result<void> add(OGRGeometryH geometry, RawPerimeter& out, int depth = 0) {
     if (geometry == nullptr || OGR_G_IsEmpty(geometry) != 0) {
-      warnings_.push_back(place_ + ": empty geometry left out");
+      counts_.empty.add(place_);
       return {};
     }
     if (depth > kDeepest) return error("has geometry collections nested too deeply");
@@ -68,7 +85,7 @@ class Collector {
         return {};
       case wkbPoint:
       case wkbMultiPoint:
-        warnings_.push_back(place_ + ": points have no outline, left out");
+        counts_.of_points.add(place_);
         return {};
       default:
         return add_curves(geometry, out, depth);
@@ -107,8 +124,8 @@ class Collector {
 
   Result<std::vector<Vec2>> points(OGRGeometryH line) {
     const int count = line == nullptr ? 0 : OGR_G_GetPointCount(line);
-    points_ += static_cast<std::size_t>(count);
-    if (points_ > kMaxPoints)
+    counts_.points += static_cast<std::size_t>(count);
+    if (counts_.points > kMaxPoints)
       return error(fmt::format("has over {} points, the maximum allowed", kMaxPoints));
     std::vector<double> x, y;
     for (int i = 0; i < count; ++i) {
@@ -137,9 +154,15 @@ class Collector {
 
   std::string place_;
   void* to_degrees_;
-  std::size_t& points_;
-  std::vector<std::string>& warnings_;
+  Counts& counts_;
 };
+
+void note_left_out(const std::string& name, const LeftOut& what, const std::string& why,
+                   std::vector<std::string>& warnings) {
+  if (what.count > 0)
+    warnings.push_back(fmt::format("{}: {} {} left out; the first: {}", name, what.count,
+                                   why, what.first));
+}
 
 // A date and time field in ISO 8601. The library's zone flag: 100 is UTC, one step is a
 // quarter of an hour; 0 and 1 are unknown and local.
@@ -227,9 +250,13 @@ Result<std::vector<VectorFeature>> VectorReader::read(
     return error("cannot be read as vector data: " + guard.failure(),
                  "docs/environment.md has the formats that can be read");
   std::vector<VectorFeature> features;
-  std::size_t points = 0;
+  Counts counts;
+  int layers_with_outlines = 0;
   for (int l = 0; l < GDALDatasetGetLayerCount(dataset.get()); ++l) {
     OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), l);
+    // A table of attributes only: styles, attachments.
+    if (OGR_L_GetGeomType(layer) == wkbNone) continue;
+    ++layers_with_outlines;
     geo::GdalTransform own_transform;
     void* to_degrees = known ? systems_->to_degrees.get() : nullptr;
     OGR_L_ResetReading(layer);
@@ -248,14 +275,16 @@ Result<std::vector<VectorFeature>> VectorReader::read(
           return error("has a coordinate reference system that cannot be used: " +
                        guard.failure());
       }
-      VectorFeature& out = features.emplace_back();
+      VectorFeature out;
       out.outline.place = place;
-      out.layer = valid_text(OGR_L_GetName(layer));
-      out.attributes = attributes_of(feature.get());
-      Collector collector(place, to_degrees, points, warnings);
+      Collector collector(place, to_degrees, counts);
       if (auto good = collector.add(OGR_F_GetGeometryRef(feature.get()), out.outline);
           !good)
         return good.error();
+      if (out.outline.polygons.empty() && out.outline.lines.empty()) continue;
+      out.layer = valid_text(OGR_L_GetName(layer));
+      out.attributes = attributes_of(feature.get());
+      features.push_back(std::move(out));
     }
     if (own_transform && !text.empty()) {
       systems_->text = text;
@@ -263,7 +292,18 @@ Result<std::vector<VectorFeature>> VectorReader::read(
     }
   }
   if (guard.failed()) return error("is truncated or corrupt: " + guard.failure());
-  if (features.empty()) return error("has no features");
+  note_left_out(name, counts.of_points, "point feature(s), which have no outline,",
+                warnings);
+  note_left_out(name, counts.empty, "feature(s) with an empty geometry", warnings);
+  if (geo::says_cut_off(name))
+    warnings.push_back(name +
+                       ": says that it is not complete (exceededTransferLimit): "
+                       "the server cut the download off");
+  if (features.empty())
+    return error(layers_with_outlines == 0 ? "has tables without geometry only"
+                 : counts.of_points.count > 0 || counts.empty.count > 0
+                     ? "has no feature with an outline"
+                     : "has no features");
   return features;
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "skein/base/result.h"
 #include "skein/geo/local_frame.h"
@@ -17,9 +18,11 @@ enum class Outside {
 };
 
 struct RasterTerrainOptions {
-  std::string file;                   ///< a raster (see RasterFile), elevations in metres
-  int band = 1;                       ///< from 1; used when no name is given
-  std::string band_name;              ///< description of the band; empty: by number
+  std::string file;       ///< a raster (see RasterFile) of elevations
+  int band = 1;           ///< from 1; used when no name is given
+  std::string band_name;  ///< description of the band; empty: by number
+  std::string unit;  ///< of the elevations, whatever the file says; empty: as it says,
+                     ///< and metres where it says none
   Outside outside = Outside::kError;  ///< where the file has no data within the area
   double area = 5000;  ///< half the side of the square about the origin [m]
   double spacing = 0;  ///< of the nodes kept in memory [m]; 0: a pixel's size
@@ -40,12 +43,14 @@ class RasterTerrain final : public Terrain {
   double highest_;  // [m]
 };
 
-/// Loads a raster terrain about the frame's origin.
-/// Fails: kNotFound, kBadInput as read_grid(); kBadInput also for options out of range
-/// and
-///        for values that are no elevation in metres (below -500 or above 9000: most
-///        often a "no data" value that the file does not declare).
+/// Loads a raster terrain about the frame's origin. Where it holds a sea floor (below
+/// -500 m), whatever lies below 0 counts as the sea's surface, with a warning. Fails:
+/// kNotFound, kBadInput as read_grid(); kBadInput also for options out of range,
+///        for a unit that is no length, depths, and for values that are no elevation
+///        (below -11500 m or above 9000 m, or numbers such as -9999 that stand for "no
+///        data": most often the file does not declare it).
 Result<std::unique_ptr<Terrain>> make_raster_terrain(const RasterTerrainOptions& options,
-                                                     const geo::LocalFrame& frame);
+                                                     const geo::LocalFrame& frame,
+                                                     std::vector<std::string>& warnings);
 
 }  // namespace skein::environment

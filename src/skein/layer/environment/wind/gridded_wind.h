@@ -37,6 +37,8 @@ struct GriddedWindOptions {
   std::vector<double> times;  ///< of the bands since the run's start [s], for files that
                               ///< do not say it
   std::optional<double> height;  ///< use only the level nearest to this height [m]
+  std::string unit;  ///< of speeds and components, whatever the file says; empty: as it
+                     ///< says, and refused where it says none
   double ground_msl =
       0;  ///< above mean sea level, from where the levels' heights count [m]
   double area = 10000;  ///< half the side of the square about the origin [m]
@@ -71,11 +73,15 @@ class GriddedWind final : public WindField {
 };
 
 /// Loads a gridded wind.
-/// Fails: kNotFound, kBadInput: what RasterFile and resample() refuse; units other than
-///        m/s, km/h, knots or mph and degrees; negative speed, a speed above 150 m/s; two
-///        quantities that differ in grid, times or levels; times missing; components on a
-///        projected grid of which nobody says which north they refer to.
+/// @param warnings  gets a line where all the file's times lie before or after the run's
+///                  start.
+/// Fails: kNotFound, kBadInput: what RasterFile and resample() refuse; a speed without a
+///        unit or with one that is none, a direction other than in degrees; negative
+///        speed, a speed above 150 m/s; two quantities that differ in grid, times or
+///        levels; times missing; components on a projected grid of which nobody says
+///        which north they refer to.
 Result<std::unique_ptr<WindField>> make_gridded_wind(const GriddedWindOptions& options,
-                                                     const geo::LocalFrame& frame);
+                                                     const geo::LocalFrame& frame,
+                                                     std::vector<std::string>& warnings);
 
 }  // namespace skein::environment

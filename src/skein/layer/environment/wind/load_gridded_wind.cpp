@@ -5,6 +5,7 @@
 #include <set>
 
 #include "skein/base/math.h"
+#include "skein/geo/unit_words.h"
 #include "skein/layer/environment/raster/date_time.h"
 #include "skein/layer/environment/raster/raster_file.h"
 #include "skein/layer/environment/wind/gridded_wind.h"
@@ -55,19 +56,19 @@ Result<Quantity> open_quantity(const std::string& path, const std::string& name,
   return quantity;
 }
 
-Result<double> speed_unit(const Quantity& quantity, std::size_t i) {
-  std::string unit = quantity.info(i).unit;
-  std::erase_if(unit, [](char c) { return c == '[' || c == ']' || c == ' '; });
-  if (unit.empty() || unit == "m/s" || unit == "ms-1" || unit == "ms**-1" ||
-      unit == "m.s-1")
-    return 1.0;
-  if (unit == "km/h" || unit == "kmh-1") return 1 / 3.6;
-  if (unit == "knots" || unit == "knot" || unit == "kt" || unit == "kts")
-    return 1852.0 / 3600;
-  if (unit == "mph") return 1609.344 / 3600;
+// Metres per second in one unit of a quantity.
+Result<double> unit_of_speed(const GriddedWindOptions& options, const Quantity& quantity,
+                             std::size_t i) {
+  constexpr const char* kUnits = "m/s, km/h, kt and mph are allowed; unit: mph says it";
+  const std::string& unit = options.unit.empty() ? quantity.info(i).unit : options.unit;
+  if (const auto speed = geo::speed_unit(unit)) return *speed;
+  if (unit.empty())
+    return Error{ErrorCode::kBadInput, quantity.file.path(),
+                 "has no unit of its wind speed, and none is given (WindNinja writes mph "
+                 "unless it is told otherwise)",
+                 "give unit: m/s, km/h, kt or mph"};
   return Error{ErrorCode::kBadInput, quantity.file.path(),
-               fmt::format("has wind in \"{}\"", quantity.info(i).unit),
-               "m/s, km/h, knots and mph are allowed"};
+               fmt::format("has wind in \"{}\"", unit), kUnits};
 }
 
 Result<void> check_direction(const Quantity& quantity, std::size_t i) {
@@ -131,31 +132,46 @@ Result<void> to_components(const GriddedWindOptions& options, double unit,
   return {};
 }
 
+// As resample(), with the key that lets values go on.
+Result<GridField> covering(const PixelWindow& pixels, const PixelMap& map,
+                           Missing missing, const std::string& place) {
+  auto field = resample(pixels, map, missing, place);
+  if (field || field.error().hint.find("go on") == std::string::npos) return field;
+  Error error = field.error();
+  error.hint = "use a smaller area, or let the nearest values go on (extend: true)";
+  return error;
+}
+
 Result<GriddedWind::Slice> load_slice(const GriddedWindOptions& options,
                                       const Quantity& first, const Quantity& second,
                                       std::size_t i, const PixelMap& map,
                                       WindNorth north) {
-  const auto unit = speed_unit(first, i);
-  if (!unit) return unit.error();
+  const Missing missing = options.extend ? Missing::kNearest : Missing::kError;
+  const std::string& place = first.file.path();
+  auto a = first.file.read(first.bands[i], map.window());
+  if (!a) return a.error();
+  const auto unit = unit_of_speed(options, first, i);
+  if (!unit) {
+    // A hole in the data is said first: it takes another file, not another key.
+    if (const auto whole = covering(a.value(), map, missing, place); !whole)
+      return whole.error();
+    return unit.error();
+  }
   if (options.kind == WindKind::kSpeedAndFrom) {
     if (const auto good = check_direction(second, i); !good) return good.error();
-  } else if (second.info(i).unit != first.info(i).unit) {
+  } else if (options.unit.empty() && second.info(i).unit != first.info(i).unit) {
     return Error{ErrorCode::kBadInput, second.file.path(),
                  "has its two components in different units", ""};
   }
-  auto a = first.file.read(first.bands[i], map.window());
-  if (!a) return a.error();
   auto b = second.file.read(second.bands[i], map.window());
   if (!b) return b.error();
-  const std::string& place = first.file.path();
   if (const auto good =
           to_components(options, unit.value(), place, a.value().values, b.value().values);
       !good)
     return good.error();
-  const Missing missing = options.extend ? Missing::kNearest : Missing::kError;
-  const auto to_north = resample(a.value(), map, missing, place);
+  const auto to_north = covering(a.value(), map, missing, place);
   if (!to_north) return to_north.error();
-  const auto to_east = resample(b.value(), map, missing, place);
+  const auto to_east = covering(b.value(), map, missing, place);
   if (!to_east) return to_east.error();
 
   // From the axes of that north to the axes of the local frame.
@@ -197,7 +213,7 @@ Result<std::vector<double>> band_times(const GriddedWindOptions& options,
   for (std::size_t i = 0; i < count; ++i) timed = timed && quantity.info(i).utc_s;
   if (!timed) {
     if (count == 1 && options.start_utc.empty()) return times;
-    return error("does not say the times of its bands", "give them in times");
+    return error("does not say the times of its bands", "give them in times_s");
   }
   for (std::size_t i = 0; i < count; ++i) times[i] = *quantity.info(i).utc_s;
   double start = *std::min_element(times.begin(), times.end());
@@ -211,6 +227,35 @@ Result<std::vector<double>> band_times(const GriddedWindOptions& options,
   }
   for (double& t : times) t -= start;
   return times;
+}
+
+// Whether pixels of two rasters lie at the same places in an area.
+Result<void> check_same_place(const Quantity& second, const PixelMap& a,
+                              const PixelMap& b) {
+  constexpr double kSamePixel = 1e-3;
+  const GridShape& shape = a.shape();
+  for (const int r : {0, shape.rows - 1})
+    for (const int c : {0, shape.columns - 1})
+      if ((a.pixel(r, c) - b.pixel(r, c)).norm() > kSamePixel)
+        return Error{ErrorCode::kBadInput, second.file.path(),
+                     "the two quantities of the wind differ in place", ""};
+  return {};
+}
+
+// Times that all lie on one side of the run's start have little to say about it.
+void note_times(const GriddedWindOptions& options, const std::vector<double>& times,
+                std::vector<std::string>& warnings) {
+  const auto [low, high] = std::minmax_element(times.begin(), times.end());
+  if (*low > 0)
+    warnings.push_back(
+        fmt::format("{}: its times begin {:.1f} h after the run's start; "
+                    "until then the first wind holds",
+                    options.file, *low / 3600));
+  else if (*high < 0)
+    warnings.push_back(
+        fmt::format("{}: its times end {:.1f} h before the run's start; "
+                    "the last wind holds throughout",
+                    options.file, -*high / 3600));
 }
 
 // Height above mean sea level of every band's level.
@@ -237,14 +282,6 @@ Result<void> check_alike(const Quantity& first, const Quantity& second) {
   if (first.file.columns() != second.file.columns() ||
       first.file.rows() != second.file.rows())
     return error("size");
-  for (const Vec2& pixel : {Vec2(0, 0), Vec2(first.file.columns(), first.file.rows())}) {
-    const auto a = first.file.geodetic(pixel), b = second.file.geodetic(pixel);
-    if (!a) return a.error();
-    if (!b) return b.error();
-    if (std::abs(a.value().latitude_deg - b.value().latitude_deg) > 1e-6 ||
-        std::abs(a.value().longitude_deg - b.value().longitude_deg) > 1e-6)
-      return error("place");
-  }
   if (first.bands.size() != second.bands.size())
     return error(fmt::format("number of bands: {} and {}", first.bands.size(),
                              second.bands.size()));
@@ -258,7 +295,8 @@ Result<void> check_alike(const Quantity& first, const Quantity& second) {
 }  // namespace
 
 Result<std::unique_ptr<WindField>> make_gridded_wind(const GriddedWindOptions& options,
-                                                     const geo::LocalFrame& frame) {
+                                                     const geo::LocalFrame& frame,
+                                                     std::vector<std::string>& warnings) {
   const auto error = [&](const std::string& message, const std::string& hint = "") {
     return Error{ErrorCode::kBadInput, options.file, message, hint};
   };
@@ -300,6 +338,12 @@ Result<std::unique_ptr<WindField>> make_gridded_wind(const GriddedWindOptions& o
   const auto map =
       first.value().file.map(frame, GridShape{-corner, spacing, shape_rows, shape_rows});
   if (!map) return map.error();
+  const auto other = second.value().file.map(frame, map.value().shape());
+  if (!other) return other.error();
+  if (const auto same = check_same_place(second.value(), map.value(), other.value());
+      !same)
+    return same.error();
+  note_times(options, times.value(), warnings);
 
   std::vector<double> levels = sorted_unique(heights);
   if (options.height) {

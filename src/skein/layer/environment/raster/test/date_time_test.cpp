@@ -26,6 +26,22 @@ TEST(DateTimes, AreReadAsAgenciesWriteThem) {
       {"20210905_1404", "2021-09-05T14:04Z", true, false},
       {"20210905140430", "2021-09-05T14:04:30Z", true, false},
       {"20210905", "2021-09-05", false, false},
+      {"9/5/21 22:00", "2021-09-05T22:00Z", true, false},
+      {"5.9.21", "2021-09-05", false, false},
+      {"9/5/2021, 10:00:00\u202fAM", "2021-09-05T10:00Z", true, false},
+      {"9/5/2021\u00a02:04 p.m.", "2021-09-05T14:04Z", true, false},
+      {"05-Sep-2021 14:04", "2021-09-05T14:04Z", true, false},
+      {"05SEP21 1404", "2021-09-05T14:04Z", true, false},
+      {"Sept. 5, 2021 2:04 PM", "2021-09-05T14:04Z", true, false},
+      {"Sun Sep 05 2021 14:04:00 GMT-0700 (Pacific Daylight Time)", "2021-09-05T21:04Z",
+       true, true},
+      {"2021-09-05 14:04 PDT", "2021-09-05T21:04Z", true, true},
+      {"2021-09-05 14:04 CEST", "2021-09-05T12:04Z", true, true},
+      {"2021-09-05T14:04B", "2021-09-05T12:04Z", true, true},
+      {"2021-09-05T14:04X", "2021-09-06T01:04Z", true, true},
+      {"2021-09-05 14:04 UTC+2", "2021-09-05T12:04Z", true, true},
+      {"2021-09-05 14:04:00 -6:00", "2021-09-05T20:04Z", true, true},
+      {"2021090514", "2021-09-05T14:00Z", true, false},
       {"1630850640000", "2021-09-05T14:04Z", true, true},
       {"1630850640", "2021-09-05T14:04Z", true, true}};
   for (const Case& each : cases) {
@@ -50,10 +66,29 @@ TEST(DateTimes, SmallNumbersAreSecondsOfAnUnknownOrigin) {
 }
 
 TEST(DateTimes, WhatIsNoDateIsNone) {
-  for (const char* text :
-       {"", "noon", "2021-13-05", "2021-02-30", "13/13/2021", "2021-09-05T25:00",
-        "2021-09-05T14:04X", "14:04", "5/9/21", "2021-09", "1e300", "-20210905",
-        "9/5/2021 13:04 PM", "2021-09-05T14", "99999999", "2021-09-05 noon", "nan"})
+  for (const char* text : {"",
+                           "noon",
+                           "2021-13-05",
+                           "2021-02-30",
+                           "13/13/2021",
+                           "2021-09-05T25:00",
+                           "2021-09-05T24:01",
+                           "2021-09-05T14:04A",
+                           "14:04",
+                           "05-09-21",
+                           "2021-09",
+                           "1e300",
+                           "-20210905",
+                           "2021-09-05 14:04 IST",
+                           "2021-09-05 10:04 P",
+                           "5 Septober 2021",
+                           "2021-09-05T14:04+15:00",
+                           "2021-09-05 14:04 America/Denver",
+                           "9/5/2021 13:04 PM",
+                           "2021-09-05T14",
+                           "99999999",
+                           "2021-09-05 noon",
+                           "nan"})
     EXPECT_FALSE(parse_date_or_number(text, DateOrder::kMonthFirst, false)
                      .value_or(DateTime{0, false})
                      .utc)
@@ -88,11 +123,15 @@ TEST(DateTimes, TimesOfDayStandAlone) {
   EXPECT_EQ(parse_time_of_day("soon"), std::nullopt);
 }
 
-TEST(DateTimes, OneDateAboveTwelveShowsTheOrder) {
-  EXPECT_EQ(shown_order("25/9/2021"), DateOrder::kDayFirst);
-  EXPECT_EQ(shown_order("9/25/2021"), DateOrder::kMonthFirst);
-  EXPECT_EQ(shown_order("9/5/2021"), std::nullopt);
-  EXPECT_EQ(shown_order("2021-09-25"), std::nullopt);
+TEST(DateTimes, ShortYearsAndNamedZonesAreSaid) {
+  const auto time = parse_date("9/5/21 14:04 PDT", DateOrder::kMonthFirst);
+  ASSERT_TRUE(time);
+  EXPECT_TRUE(time->short_year);
+  EXPECT_EQ(time->zone_name, "PDT is UTC-07:00");
+  EXPECT_FALSE(parse_date("9/5/2021", DateOrder::kYearFirst));
+  EXPECT_EQ(parse_date("21/09/05", DateOrder::kYearFirst)->value, iso("2021-09-05"));
+  EXPECT_EQ(parse_date("9/5/69", DateOrder::kMonthFirst)->value, iso("1969-09-05"));
+  EXPECT_EQ(utc_text(iso("1969-09-05T14:04Z") + 0.5), "1969-09-05T14:04:00Z");
 }
 
 }  // namespace

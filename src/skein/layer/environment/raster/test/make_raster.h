@@ -54,6 +54,7 @@ struct RasterRecipe {
   double scale = 1, offset = 0;
   GDALDataType type = GDT_Float64;
   std::vector<std::string> names;
+  std::string unit;                 ///< of every band; empty: none
   std::vector<const char*> create;  ///< options of the driver, as "FORMAT=NC4"
 };
 
@@ -82,6 +83,7 @@ inline void make_raster(const std::string& path, const RasterRecipe& recipe) {
       GDALSetRasterScale(band, recipe.scale);
       GDALSetRasterOffset(band, recipe.offset);
     }
+    if (!recipe.unit.empty()) GDALSetRasterUnitType(band, recipe.unit.c_str());
     if (b < recipe.names.size()) GDALSetDescription(band, recipe.names[b].c_str());
     auto values = recipe.bands[b];
     ASSERT_EQ(GDALRasterIO(band, GF_Write, 0, 0, recipe.columns, recipe.rows,

@@ -124,10 +124,50 @@ TEST(FireFeatures, SayInWhichOrderDatesAreRead) {
   const Read shown =
       read_features({area_of({{"date", "5/9/2021"}}), area_of({{"date", "25/9/2021"}})});
   EXPECT_EQ(shown.times, (Moments{moment("2021-09-05"), moment("2021-09-25")}));
-  EXPECT_EQ(shown.notes.find("month"), std::string::npos) << shown.notes;
+  EXPECT_NE(shown.notes.find("the day stands before the month, as \"25/9/2021\" shows"),
+            std::string::npos)
+      << shown.notes;
   const Read open = read_features({area_of({{"date", "5/9/2021"}})});
   EXPECT_EQ(open.times, (Moments{moment("2021-05-09")}));
   EXPECT_NE(open.notes.find("the month stands before the day"), std::string::npos);
+}
+
+TEST(FireFeatures, FillEmptyTimesFromTheNextKnownAttribute) {
+  const auto feature = [](const char* seen, const char* current) {
+    return area_of({{"poly_PolygonDateTime", seen}, {"poly_DateCurrent", current}});
+  };
+  const Read read =
+      read_features({feature("2021-09-05T10:00:00Z", "1630836000000"),
+                     feature("", "1630839600000"), feature("", "-2209161600000")});
+  EXPECT_EQ(read.times,
+            (Moments{moment("2021-09-05T10:00Z"), moment("2021-09-05T11:00Z")}))
+      << read.error;
+  EXPECT_NE(read.notes.find("1 time(s) are from poly_DateCurrent"), std::string::npos)
+      << read.notes;
+  EXPECT_NE(read.notes.find("such as \"-2209161600000\""), std::string::npos)
+      << read.notes;
+  EXPECT_NE(read.notes.find("1 feature(s) without a time left out"), std::string::npos);
+}
+
+TEST(FireFeatures, LeaveOutDatesThatMeanNone) {
+  const Read read = read_features({area_of({{"poly_DateCurrent", "0"}}),
+                                   area_of({{"poly_DateCurrent", "1630839600000"}}),
+                                   area_of({{"poly_DateCurrent", "1630843200000"}})});
+  EXPECT_EQ(read.times,
+            (Moments{moment("2021-09-05T11:00Z"), moment("2021-09-05T12:00Z")}))
+      << read.error;
+  EXPECT_NE(read.notes.find("mean that there is no time, such as \"0\""),
+            std::string::npos)
+      << read.notes;
+}
+
+TEST(FireFeatures, TakeTheOrderOfDatesThatIsGiven) {
+  const std::vector<VectorFeature> all = {area_of({{"FIREDATE", "05/09/2021"}}),
+                                          area_of({{"FIREDATE", "06/09/2021"}})};
+  EXPECT_EQ(read_features(all).times,
+            (Moments{moment("2021-09-05"), moment("2021-09-06")}));
+  EXPECT_EQ(read_features(all, {.date_order = DateOrder::kMonthFirst}).times,
+            (Moments{moment("2021-05-09"), moment("2021-06-09")}));
 }
 
 TEST(FireFeatures, KeepPerimetersOfOneIncidentOnly) {

@@ -8,6 +8,8 @@
 namespace skein::environment::terrain_test {
 namespace {
 
+std::vector<std::string> warnings;
+
 // The law of every terrain: gradient() is the derivative of elevation_msl().
 void expect_gradient_matches(const Terrain& terrain, double reach, double tolerance) {
   RandomStream random(3, 0, Purpose::kTest);
@@ -88,7 +90,7 @@ TEST(RasterTerrain, ReadsAPlane) {
   RasterTerrainOptions options;
   options.file = path;
   options.area = 1500;
-  const auto terrain = make_raster_terrain(options, frame_in_the_middle());
+  const auto terrain = make_raster_terrain(options, frame_in_the_middle(), warnings);
   ASSERT_TRUE(terrain.ok()) << terrain.error().text();
   EXPECT_NEAR(terrain.value()->elevation_msl(Vec2::Zero()), 100 + 0.2 * 2000, 0.01);
   // East on the map is turned by the convergence of 1.25 degrees; the scale errs by 1e-4.
@@ -104,12 +106,12 @@ TEST(RasterTerrain, OutsideIsAnErrorOrTheEdge) {
   RasterTerrainOptions options;
   options.file = path;
   options.area = 3000;
-  const auto refused = make_raster_terrain(options, frame_in_the_middle());
+  const auto refused = make_raster_terrain(options, frame_in_the_middle(), warnings);
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().text().find("does not cover the area"), std::string::npos);
   EXPECT_EQ(refused.error().place, path);
   options.outside = Outside::kEdge;
-  const auto edge = make_raster_terrain(options, frame_in_the_middle());
+  const auto edge = make_raster_terrain(options, frame_in_the_middle(), warnings);
   ASSERT_TRUE(edge.ok()) << edge.error().text();
   EXPECT_NEAR(edge.value()->elevation_msl(Vec2(0, 2900)), 100 + 0.2 * 3990, 2.1);
   EXPECT_NEAR(edge.value()->elevation_msl(Vec2(0, 1e6)), 100 + 0.2 * 3990, 2.1);
@@ -124,21 +126,68 @@ TEST(RasterTerrain, RefusesWhatIsNoElevation) {
   RasterTerrainOptions options;
   options.file = path;
   options.area = 1000;
-  const auto refused = make_raster_terrain(options, frame_in_the_middle());
+  const auto refused = make_raster_terrain(options, frame_in_the_middle(), warnings);
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().text().find("declared"), std::string::npos);
 
   for (const double area : {0.0, -5.0, std::nan(""), 1e9}) {
     options.area = area;
-    EXPECT_FALSE(make_raster_terrain(options, frame_in_the_middle()).ok()) << area;
+    EXPECT_FALSE(make_raster_terrain(options, frame_in_the_middle(), warnings).ok())
+        << area;
   }
   options.area = 1000;
   options.spacing = 1e-3;
-  EXPECT_FALSE(make_raster_terrain(options, frame_in_the_middle()).ok());
+  EXPECT_FALSE(make_raster_terrain(options, frame_in_the_middle(), warnings).ok());
   options.spacing = 1e7;  // coarser than the area: two points a side
   options.file = scratch("plane.tif");
   make_raster(options.file, plane_raster());
-  EXPECT_TRUE(make_raster_terrain(options, frame_in_the_middle()).ok());
+  EXPECT_TRUE(make_raster_terrain(options, frame_in_the_middle(), warnings).ok());
+}
+
+TEST(RasterTerrain, ObeysTheUnitOfTheFileOrTheKey) {
+  const std::string path = scratch("feet.tif");
+  RasterRecipe recipe = plane_raster();
+  recipe.unit = "US survey foot";
+  make_raster(path, recipe);
+  RasterTerrainOptions options;
+  options.file = path;
+  options.area = 1500;
+  const double metres = (100 + 0.2 * 2000) * 1200 / 3937;
+  const auto feet = make_raster_terrain(options, frame_in_the_middle(), warnings);
+  ASSERT_TRUE(feet.ok()) << feet.error().text();
+  EXPECT_NEAR(feet.value()->elevation_msl(Vec2::Zero()), metres, 0.01);
+  options.unit = "m";
+  const auto key = make_raster_terrain(options, frame_in_the_middle(), warnings);
+  ASSERT_TRUE(key.ok());
+  EXPECT_NEAR(key.value()->elevation_msl(Vec2::Zero()), 500, 0.01);
+  options.unit = "hPa";
+  EXPECT_FALSE(make_raster_terrain(options, frame_in_the_middle(), warnings).ok());
+  recipe.unit = "hPa";
+  options.unit = "";
+  options.file = scratch("pressure.tif");
+  make_raster(options.file, recipe);
+  const auto refused = make_raster_terrain(options, frame_in_the_middle(), warnings);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().text().find("\"hPa\""), std::string::npos);
+}
+
+TEST(RasterTerrain, TakesTheSeaForItsFloor) {
+  RasterRecipe recipe = plane_raster();
+  for (int r = 0; r < 40; ++r)
+    for (int c = 0; c < 40; ++c)
+      recipe.bands[0][static_cast<std::size_t>(200 * r + c)] = -900;
+  RasterTerrainOptions options;
+  options.file = scratch("coast.tif");
+  options.area = 1900;
+  options.outside = Outside::kEdge;
+  make_raster(options.file, recipe);
+  std::vector<std::string> said;
+  const auto coast = make_raster_terrain(options, frame_in_the_middle(), said);
+  ASSERT_TRUE(coast.ok()) << coast.error().text();
+  EXPECT_NEAR(coast.value()->elevation_msl(Vec2::Zero()), 500, 0.01);
+  EXPECT_EQ(coast.value()->elevation_msl(Vec2(1800, -1800)), 0);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(said[0].find("sea"), std::string::npos);
 }
 
 TEST(RasterTerrain, ATruncatedFileIsRefused) {
@@ -148,7 +197,7 @@ TEST(RasterTerrain, ATruncatedFileIsRefused) {
   RasterTerrainOptions options;
   options.file = path;
   options.area = 1500;
-  const auto refused = make_raster_terrain(options, frame_in_the_middle());
+  const auto refused = make_raster_terrain(options, frame_in_the_middle(), warnings);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().place, path);
 }
@@ -162,7 +211,7 @@ TEST(RasterTerrain, OfTheBridgeFireHasTheStatedRelief) {
   options.area = 3000;
   options.spacing = 10;
   const auto frame = geo::LocalFrame::at({38.9212722, -121.0351222, 0}).value();
-  const auto terrain = make_raster_terrain(options, frame);
+  const auto terrain = make_raster_terrain(options, frame, warnings);
   ASSERT_TRUE(terrain.ok()) << terrain.error().text();
   double low = 1e9, high = -1e9;
   for (double n = -3000; n <= 3000; n += 30)
@@ -187,7 +236,7 @@ TEST(RasterTerrain, OfAskerveinMatchesPixelsReadByHand) {
   options.file = file;
   options.area = 1500;
   options.spacing = 20;
-  const auto terrain = make_raster_terrain(options, frame);
+  const auto terrain = make_raster_terrain(options, frame, warnings);
   ASSERT_TRUE(terrain.ok()) << terrain.error().text();
   // 1e-7 degrees of the place is 1 cm; slopes here are below 0.5.
   EXPECT_NEAR(terrain.value()->elevation_msl(Vec2::Zero()), 115.362998962402, 0.01);

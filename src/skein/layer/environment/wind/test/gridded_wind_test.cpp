@@ -6,6 +6,8 @@
 namespace skein::environment::gridded_wind_test {
 namespace {
 
+std::vector<std::string> warnings;
+
 using geo::radians;
 
 const double kLatitude = 38.9, kLongitude = -121.0;
@@ -28,6 +30,7 @@ GriddedWindOptions options_for(const std::string& file) {
   GriddedWindOptions options;
   options.file = file;
   options.area = 5000;
+  options.unit = "m/s";
   return options;
 }
 
@@ -37,14 +40,14 @@ Vec2 at(const WindField& wind, const Vec2& p, double seconds, double height = 0)
 }
 
 std::string refusal(const GriddedWindOptions& options) {
-  const auto wind = make_gridded_wind(options, frame());
+  const auto wind = make_gridded_wind(options, frame(), warnings);
   return wind.ok() ? std::string("accepted") : wind.error().text();
 }
 
 TEST(GriddedWind, SpeedAndFromBecomeAVelocityTo) {
   const std::string path = scratch("wind.tif");
   make_raster(path, constant_bands({6, 270}));
-  const auto wind = make_gridded_wind(options_for(path), frame());
+  const auto wind = make_gridded_wind(options_for(path), frame(), warnings);
   ASSERT_TRUE(wind.ok()) << wind.error().text();
   EXPECT_NEAR((at(*wind.value(), Vec2::Zero(), 0) - Vec2(0, 6)).norm(), 0, 1e-6);
   // 5 km to the east, true north leans west by 5000 m * tan(latitude) / R.
@@ -61,7 +64,7 @@ TEST(GriddedWind, DirectionsAcrossNorthAreMixedAsComponents) {
       recipe.bands[1][static_cast<std::size_t>(40 * r + c)] = c < 20 ? 350 : 10;
   const std::string path = scratch("wind.tif");
   make_raster(path, recipe);
-  const auto wind = make_gridded_wind(options_for(path), frame());
+  const auto wind = make_gridded_wind(options_for(path), frame(), warnings);
   ASSERT_TRUE(wind.ok()) << wind.error().text();
   const Vec2 middle = at(*wind.value(), Vec2::Zero(), 0);
   EXPECT_NEAR(middle.x(), -4 * std::cos(radians(10)), 1e-5);
@@ -77,7 +80,7 @@ TEST(GriddedWind, PairOfFilesInTimeIsLinearAndHeld) {
   options.kind = WindKind::kComponents;
   EXPECT_NE(refusal(options).find("times"), std::string::npos);
   options.times = {600, 0, 1200};  // in any order
-  const auto wind = make_gridded_wind(options, frame());
+  const auto wind = make_gridded_wind(options, frame(), warnings);
   ASSERT_TRUE(wind.ok()) << wind.error().text();
   const auto expect = [&](double t, const Vec2& want) {
     EXPECT_NEAR((at(*wind.value(), Vec2::Zero(), t) - want).norm(), 0, 1e-6) << t;
@@ -102,11 +105,11 @@ TEST(GriddedWind, ComponentsOnAProjectedGridNeedTheirNorth) {
   options.kind = WindKind::kComponents;
   EXPECT_NE(refusal(options).find("true north or to the grid"), std::string::npos);
   options.north = WindNorth::kTrue;
-  const auto to_true = make_gridded_wind(options, frame());
+  const auto to_true = make_gridded_wind(options, frame(), warnings);
   ASSERT_TRUE(to_true.ok()) << to_true.error().text();
   EXPECT_NEAR((at(*to_true.value(), Vec2::Zero(), 0) - Vec2(5, 0)).norm(), 0, 1e-6);
   options.north = WindNorth::kGrid;
-  const auto to_grid = make_gridded_wind(options, frame());
+  const auto to_grid = make_gridded_wind(options, frame(), warnings);
   ASSERT_TRUE(to_grid.ok()) << to_grid.error().text();
   const double convergence =
       std::atan(std::tan(radians(kLongitude + 123)) * std::sin(radians(kLatitude)));
@@ -160,6 +163,57 @@ TEST(GriddedWind, RefusesInvalidData) {
   EXPECT_NE(refusal(options_for(path)).find(path), std::string::npos);
 }
 
+TEST(GriddedWind, ObeysTheUnitOfTheFileOrTheKey) {
+  const std::string path = scratch("wind.tif");
+  GriddedWindOptions options = options_for(path);
+  options.unit = "";
+  make_raster(path, constant_bands({10, 270}));
+  EXPECT_NE(refusal(options).find("no unit"), std::string::npos);
+  options.unit = "mph";
+  const auto key = make_gridded_wind(options, frame(), warnings);
+  ASSERT_TRUE(key.ok()) << key.error().text();
+  EXPECT_NEAR(at(*key.value(), Vec2::Zero(), 0).norm(), 4.4704, 1e-6);
+  options.unit = "furlongs";
+  EXPECT_NE(refusal(options).find("\"furlongs\""), std::string::npos);
+  RasterRecipe components = constant_bands({10, 0});
+  components.unit = "km h**-1";
+  make_raster(path, components);
+  options.unit = "";
+  options.kind = WindKind::kComponents;
+  const auto file = make_gridded_wind(options, frame(), warnings);
+  ASSERT_TRUE(file.ok()) << file.error().text();
+  EXPECT_NEAR(at(*file.value(), Vec2::Zero(), 0).y(), 10 / 3.6, 1e-6);
+}
+
+TEST(GriddedWind, OfAWorldWideGridOnlyTheAreaCounts) {
+  // Pixel centres from 0 to 359 degrees east and on both poles.
+  RasterRecipe recipe;
+  recipe.columns = 360;
+  recipe.rows = 181;
+  recipe.epsg = 4326;
+  recipe.geo = {-0.5, 1, 0, 90.5, 0, -1};
+  recipe.unit = "m/s";
+  recipe.bands = {std::vector<double>(360 * 181, 3.0), std::vector<double>(360 * 181)};
+  for (std::size_t i = 0; i < 360 * 181; ++i)
+    recipe.bands[1][i] = i % 360 == 359 ? 6 : i % 360 == 0 ? 2 : 4;
+  GriddedWindOptions options;
+  options.file = scratch("world.tif");
+  options.kind = WindKind::kComponents;
+  options.area = 5000;
+  make_raster(options.file, recipe);
+  const auto of = [&](double longitude) {
+    const auto here = geo::LocalFrame::at({51, longitude, 0}).value();
+    const auto wind = make_gridded_wind(options, here, warnings);
+    EXPECT_TRUE(wind.ok()) << wind.error().text();
+    return wind.ok() ? at(*wind.value(), Vec2::Zero(), 0) : Vec2::Zero().eval();
+  };
+  EXPECT_NEAR((of(-121) - Vec2(4, 3)).norm(), 0, 1e-6);
+  EXPECT_NEAR((of(0) - Vec2(2, 3)).norm(), 0, 1e-6);
+  // The seam of the columns, half way between the last centre and the first.
+  EXPECT_NEAR((of(-0.5) - Vec2(4, 3)).norm(), 0, 1e-3);
+  EXPECT_NEAR((of(359.5) - Vec2(4, 3)).norm(), 0, 1e-3);
+}
+
 TEST(GriddedWind, NdfdForecastHasTheWindOfItsPixels) {
   const std::string file = std::string(SKEIN_SHARED_DATA) + "/wind/ndfd_20170603T1800.nc";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
@@ -178,7 +232,7 @@ TEST(GriddedWind, NdfdForecastHasTheWindOfItsPixels) {
   for (const Case& c : {Case{42.991161982621946, -113.5062588525604, 4.625, 101},
                         Case{43.504359357490834, -112.49209348458257, 3.625, 142}}) {
     const auto here = geo::LocalFrame::at({c.latitude, c.longitude, 0}).value();
-    const auto wind = make_gridded_wind(options, here);
+    const auto wind = make_gridded_wind(options, here, warnings);
     ASSERT_TRUE(wind.ok()) << wind.error().text();
     const Vec2 want = blowing_from(c.speed, radians(c.from));
     // The middle of a pixel to 1e-6 of its size; neighbours differ by less than 1 m/s.
@@ -195,12 +249,12 @@ TEST(GriddedWind, NdfdForecastHasTheWindOfItsPixels) {
   // Corner (24, 70), as above.
   const auto corner =
       geo::LocalFrame::at({42.98190514999628, -113.48957711083418, 0}).value();
-  const auto wind = make_gridded_wind(options, corner);
+  const auto wind = make_gridded_wind(options, corner, warnings);
   ASSERT_TRUE(wind.ok()) << wind.error().text();
   EXPECT_NEAR((at(*wind.value(), Vec2::Zero(), 0) - mean).norm(), 0, 1e-5);
 
   options.first = "Wind_speed";
-  const auto refused = make_gridded_wind(options, corner);
+  const auto refused = make_gridded_wind(options, corner, warnings);
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().text().find("Wind_speed_height_above_ground"),
             std::string::npos);
