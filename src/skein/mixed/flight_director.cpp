@@ -11,10 +11,6 @@ const Time kAgain = Time::from_seconds(3);    // after a denial
 const Time kSettled = Time::from_seconds(5);  // on the ground: then motors off
 constexpr double kArrival = 8;  // from the altitude of a take-off, counted as there [m]
 
-bool by_sticks(VehicleMode mode) {
-  return mode == VehicleMode::kManual || mode == VehicleMode::kStabilized;
-}
-
 }  // namespace
 
 void FlightDirector::set_goal(Goal goal) {
@@ -45,9 +41,10 @@ void FlightDirector::land(const LandRequest& request) {
 }
 
 void FlightDirector::hear(const LinkChange& change) {
+  control_.hear(change);
   switch (change.kind) {
     case LinkChange::Kind::kUp:
-      came_up_ = up_ = true;
+      up_ = true;
       pending_ = 0;
       again_at_ = Time();
       return;
@@ -56,9 +53,7 @@ void FlightDirector::hear(const LinkChange& change) {
       reached_ = false;
       return;
     case LinkChange::Kind::kRebooted:
-      came_up_ = true;
-      pending_ = 0;
-      asked_ = started_ = reached_ = false;
+      begin_again();
       return;
     case LinkChange::Kind::kMismatch:
     case LinkChange::Kind::kDuplicate:
@@ -77,6 +72,7 @@ void FlightDirector::hear(const RequestAnswer& answer, Time now,
     return;
   }
   again_at_ = now + kAgain;
+  if (answer.outcome != RequestAnswer::Outcome::kNoAnswer) control_.denied();
   if (answer.text == denied_) return;
   denied_ = answer.text;
   const char* kind = goal_ == Goal::kTakeOff ? "arming-denied" : "request-denied";
@@ -99,47 +95,40 @@ bool FlightDirector::is_wanted(VehicleMode mode) const {
   return true;
 }
 
-void FlightDirector::watch_mode(const VehicleCondition& condition,
-                                std::vector<VehicleEvent>& events) {
-  const bool changed = condition.mode_name != last_name_;
-  const bool unseen = std::exchange(came_up_, false);
-  const VehicleMode before = last_mode_;
-  last_mode_ = condition.mode;
-  last_name_ = condition.mode_name;
-  if (is_wanted(condition.mode)) {
-    if (std::exchange(taken_, false))
-      events.push_back({"handed-back", condition.mode_name});
-    return;
-  }
-  const bool pilot = by_sticks(condition.mode);
-  if (unseen && !pilot) {
-    taken_ = false;
-    return;
-  }
-  // Sticks always count; else it can be taken only from a mode that was asked for. On the
-  // ground it is nobody's.
-  const bool takes = pilot ? !taken_ : changed && (reached_ || taken_);
-  if (!takes || condition.on_ground) return;
-  if (!taken_ || by_sticks(before) != pilot)
-    events.push_back({pilot ? "pilot-took-over" : "mode-changed",
-                      fmt::format("it flies in {} now", condition.mode_name)});
-  taken_ = true;
-  reached_ = false;
+// Given back: what is wanted of it is asked for from the beginning.
+void FlightDirector::begin_again() {
+  asked_ = started_ = reached_ = false;
+  pending_ = 0;
+  again_at_ = Time();
+}
+
+Result<void> FlightDirector::hand_back(std::vector<VehicleEvent>& events) {
+  if (!up_)
+    return Error{ErrorCode::kBadInput, "", "its link is down.", "Try when it is up."};
+  if (auto given = control_.hand_back(); !given) return given;
+  begin_again();
+  events.push_back({"handed-back", "by a command"});
+  return {};
 }
 
 void FlightDirector::ask(Time now, const VehicleRequest& request, VehiclePort& port) {
   asked_ = true;
   pending_ = ++number_;
   again_at_ = now;
+  control_.sent(request);
   port.send(pending_, request);
 }
 
 void FlightDirector::step(Time now, const VehicleCondition& condition,
-                          double altitude_msl, VehiclePort& port,
+                          double altitude_msl, bool knows_position, VehiclePort& port,
                           std::vector<VehicleEvent>& events) {
-  if (!up_) return;
-  watch_mode(condition, events);
-  if (taken_) return;
+  if (!up_ || goal_ == Goal::kNone) return;
+  if (control_.step(now, condition, goal_ == Goal::kLand, events)) begin_again();
+  if (control_.is_taken()) {
+    reached_ = false;
+    return;
+  }
+  if (!knows_position && !condition.on_ground) return;
   switch (goal_) {
     case Goal::kNone:
       return;

@@ -8,6 +8,7 @@
 #include "skein/base/time.h"
 #include "skein/data/vehicle_report.h"
 #include "skein/data/vehicle_request.h"
+#include "skein/mixed/control_monitor.h"
 #include "skein/role/vehicle.h"
 #include "skein/role/vehicle_port.h"
 
@@ -20,13 +21,11 @@ namespace skein::mixed {
 ///   fly()        guided, to be led by setpoints
 ///   land()       lands, and disarms
 ///
-/// A mode that nobody here asked for is somebody's will: a pilot's, who flies by sticks,
-/// or a failsafe's. It is left alone until the mode is the one asked for again. What
-/// changed while the link was down was nobody's will, but for sticks: it is asked for
-/// again when the link is back.
+/// Whoever else takes it has it until it is given back (ControlMonitor): nothing is asked
+/// for meanwhile.
 class FlightDirector {
  public:
-  explicit FlightDirector(bool hovers) : hovers_(hovers) {}
+  explicit FlightDirector(bool hovers) : hovers_(hovers), control_(hovers) {}
 
   void take_off(const TakeOffRequest& request);
   void fly();
@@ -34,21 +33,27 @@ class FlightDirector {
 
   /// What the vehicle has said of its link.
   void hear(const LinkChange& change);
+  void hear(const VehicleText& text, Time now) { control_.hear(text, now); }
   void hear(const RequestAnswer& answer, Time now, std::vector<VehicleEvent>& events);
 
   /// Once a step of the run: asks for what is missing.
+  /// @param knows_position  else it is asked for nothing in the air.
   void step(Time now, const VehicleCondition& condition, double altitude_msl,
-            VehiclePort& port, std::vector<VehicleEvent>& events);
+            bool knows_position, VehiclePort& port, std::vector<VehicleEvent>& events);
+
+  /// Its agent shall command it again.
+  /// Fails: kBadInput when its agent commands it, its link is down, or sticks fly it.
+  Result<void> hand_back(std::vector<VehicleEvent>& events);
+  /// Who has it.
+  const ControlMonitor& control() const { return control_; }
 
   bool up() const { return up_; }
   /// Setpoints are of use: it is guided, or is to become so.
-  bool takes_setpoints() const { return up_ && goal_ == Goal::kFly && !taken_; }
+  bool takes_setpoints() const {
+    return up_ && goal_ == Goal::kFly && !control_.is_taken();
+  }
   /// It is in the mode that was asked for.
   bool reached() const { return reached_; }
-  /// Somebody else has it; then in which mode.
-  std::optional<VehicleMode> taken() const {
-    return taken_ ? std::optional(last_mode_) : std::nullopt;
-  }
   /// What was asked for is over: it has climbed, it has landed.
   bool done() const { return done_; }
   bool taking_off() const { return goal_ == Goal::kTakeOff; }
@@ -58,7 +63,7 @@ class FlightDirector {
   enum class Goal : std::uint8_t { kNone, kTakeOff, kFly, kLand };
 
   void set_goal(Goal goal);
-  void watch_mode(const VehicleCondition& condition, std::vector<VehicleEvent>& events);
+  void begin_again();
   void step_take_off(Time now, const VehicleCondition& condition, double altitude_msl,
                      VehiclePort& port);
   void step_flight(Time now, const VehicleCondition& condition, VehiclePort& port);
@@ -72,12 +77,10 @@ class FlightDirector {
   TakeOffRequest take_off_;
   LandRequest land_;
   bool up_ = false;
-  bool came_up_ = false;  // since the last step
   bool asked_ = false;    // since the goal was set, or the vehicle rebooted
   bool started_ = false;  // what was asked for was accepted
-  bool reached_ = false, done_ = false, taken_ = false;
-  VehicleMode last_mode_ = VehicleMode::kOther;
-  std::string last_name_;
+  bool reached_ = false, done_ = false;
+  ControlMonitor control_;
   std::uint32_t number_ = 0, pending_ = 0;  // of requests
   Time again_at_;
   std::optional<Time> on_ground_since_;

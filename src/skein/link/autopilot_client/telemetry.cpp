@@ -20,7 +20,8 @@ constexpr std::uint8_t kStatusCritical = 5;  // MAV_STATE
 constexpr std::uint8_t kStatusEmergency = 6;
 constexpr std::uint32_t kPreArmCheck = 0x1000'0000;  // MAV_SYS_STATUS
 constexpr std::uint16_t kUnknown16 = 0xffff;
-constexpr double kTypicalPositionSd = 2;       // of a receiver that does not say [m]
+constexpr double kTypicalPositionSd = 2;  // of a receiver that does not say [m]
+constexpr double kDeadReckoning = 2;      // growth of its deviation [m/s]: unknown wind
 constexpr double kTypicalVerticalShare = 1.5;  // the same, of its altitude, over that
 
 // MAV_TYPE of what flies on rotors: quadrotor, coaxial, helicopter, hexa-, octo-,
@@ -81,6 +82,7 @@ void Telemetry::handle(const mavlink::WindCov& m) {
 
 void Telemetry::handle(const mavlink::GpsRawInt& m) {
   fixed_ = m.fix_type >= kFix3D;
+  if (!fixed_) return;  // what it says of accuracy is of no fix
   motion_.position_sd = m.h_acc > 0 ? m.h_acc / 1000.0 / std::sqrt(2.0)
                         : m.eph != kUnknown16 && m.eph > 0
                             ? m.eph / 100.0 * kTypicalPositionSd
@@ -113,15 +115,21 @@ std::optional<VehicleMotion> Telemetry::handle(const mavlink::GlobalPositionInt&
   if (std::abs(std::int64_t{m.lat}) > kPole || std::abs(std::int64_t{m.lon}) > kHalfTurn)
     return std::nullopt;
   // Until its estimator has an origin it says zeros, or nearly.
-  const bool known = fixed_ && (std::abs(m.lat) > 10000 || std::abs(m.lon) > 10000);
-  condition_.position = known;
-  if (!known) return std::nullopt;
+  const bool placed = std::abs(m.lat) > 10000 || std::abs(m.lon) > 10000;
+  condition_.position = fixed_ && placed;
+  if (condition_.position) {
+    known_ = true;
+    known_at_ = now;
+  }
+  if (!known_ || !placed) return std::nullopt;
   const Vec2 place = frame_.to_plane(m.lat * 1e-7, m.lon * 1e-7);
   motion_.time =
       clock.to_here(Time::from_ns(std::int64_t{m.time_boot_ms} * 1'000'000), now);
   motion_.p_N = {place.x(), place.y(), -m.alt / 1000.0};
   motion_.v_N = {m.vx / 100.0, m.vy / 100.0, m.vz / 100.0};
-  return motion_;
+  VehicleMotion said = motion_;
+  said.position_sd += kDeadReckoning * (now - known_at_).seconds();
+  return said;
 }
 
 }  // namespace skein::autopilot_client

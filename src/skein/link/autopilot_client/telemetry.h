@@ -31,7 +31,9 @@ class Telemetry {
   void handle(const mavlink::SysStatus& m);
   void handle(const mavlink::ExtendedSysState& m);
   void handle(const mavlink::HomePosition& m);
-  /// @returns  the motion; nothing while the vehicle does not know where it is.
+  /// @returns  the motion; nothing until the vehicle knows where it is. When it no longer
+  ///           does by satellites, its motion is that of its dead reckoning, with a
+  ///           deviation that grows, and its condition says that it has no position.
   std::optional<VehicleMotion> handle(const mavlink::GlobalPositionInt& m, Time now,
                                       const ClockAlignment& clock);
 
@@ -54,6 +56,8 @@ class Telemetry {
   std::optional<double> home_msl_;
   bool landed_known_ = false;
   bool fixed_ = false;  // its receiver has a fix
+  bool known_ = false;  // it has known where it is
+  Time known_at_;       // last, by satellites
 };
 
 }  // namespace skein::autopilot_client
