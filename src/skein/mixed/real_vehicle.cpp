@@ -86,6 +86,8 @@ struct RealVehicle::Listener {
   void operator()(const EntityReport&) const {}     // its agent is here
   void operator()(const ActuatorOutputs&) const {}  // of a body's drive
   void operator()(const OutsideEvent& event) const {
+    if (event.kind == "position-jumped" && !self.condition_.on_ground)
+      self.jumped_ = true;
     self.events_.push_back({event.kind, event.text});
   }
   void operator()(const FeedHealth&) const {}
@@ -167,6 +169,7 @@ void RealVehicle::advance(const Surroundings& world, Time now, Time until,
 void RealVehicle::command_autopilot(const Surroundings& world, Time now, Time until) {
   land_from_above();
   director_.step(now, condition_, -estimate_.p_N.z(), *parts_.port, events_);
+  watch_command(now);
   if (!tracker_.known())
     return feeds_.step(world, now, nullptr, condition_.on_ground, *parts_.port);
   const VehicleMotion motion = tracker_.at(now);
@@ -179,6 +182,25 @@ void RealVehicle::command_autopilot(const Surroundings& world, Time now, Time un
                                      motion.w_NB_B,
                                      {motion.wind_N.x(), motion.wind_N.y(), 0}});
   if (fresh(now) && !condition_.on_ground) send_setpoint(now, (until - now).seconds());
+}
+
+// One that was taken off and cannot be commanded is not left alone.
+void RealVehicle::watch_command(Time now) {
+  CommandMonitor::Inputs in;
+  in.leads = director_.leads(condition_);
+  in.taking_off = director_.taking_off();
+  in.guided = condition_.mode == VehicleMode::kGuided;
+  in.position = fresh(now);
+  if (condition_.on_ground) jumped_ = false;
+  in.jumped = jumped_;
+  if (tracker_.known()) in.position_age = (now - tracker_.time()).seconds();
+  in.mode_name = condition_.mode_name;
+  in.altitude_msl = -estimate_.p_N.z();
+  in.climbs_to = director_.climbs_to();
+  const std::string why = monitor_.step(now, in);
+  if (why.empty()) return;
+  events_.push_back({"not-commandable", why + "; it is sent back"});
+  director_.bring_back(why);
 }
 
 // What hovers comes down where it is: so it is led above the point first.
@@ -194,7 +216,8 @@ void RealVehicle::land_from_above() {
 
 void RealVehicle::send_setpoint(Time now, double dt) {
   const Control control = parts_.guidance->control(now, dt);
-  if (!director_.takes_setpoints()) return;
+  // Where a position that has jumped would lead it nobody knows.
+  if (!director_.takes_setpoints() || jumped_) return;
   if (const auto* flight = std::get_if<FlightCommand>(&control)) {
     BankSetpoint setpoint;
     setpoint.roll = flight->roll;
@@ -202,8 +225,10 @@ void RealVehicle::send_setpoint(Time now, double dt) {
     setpoint.climb_rate = flight->climb_rate;
     setpoint.altitude_msl = -estimate_.p_N.z() + kClimbLead * flight->climb_rate;
     parts_.port->send(0, setpoint);
+    monitor_.sent(now, setpoint, tracker_.newest());
   } else if (const auto* track = std::get_if<TrackSetpoint>(&control)) {
     parts_.port->send(0, *track);
+    monitor_.sent(now, *track, tracker_.newest());
   }
 }
 
@@ -260,6 +285,7 @@ AutopilotStatus RealVehicle::status() const {
   }
   if (over_landing_) status.done = false;
   if (director_.landing() && director_.reached()) status.mode = FlightMode::kAuto;
+  if (director_.brings_back()) status.reaction = FailsafeReaction::kReturn;
   if (const auto mode = director_.taken()) {
     if (*mode == VehicleMode::kManual)
       status.mode = FlightMode::kManual;

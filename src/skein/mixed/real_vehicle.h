@@ -7,6 +7,7 @@
 
 #include "skein/base/time.h"
 #include "skein/data/vehicle_report.h"
+#include "skein/mixed/command_monitor.h"
 #include "skein/mixed/driven_plant.h"
 #include "skein/mixed/flight_director.h"
 #include "skein/mixed/motion_tracker.h"
@@ -40,7 +41,7 @@ struct RealVehicleParts {
 /// Its state is what it says, carried on to now (MotionTracker); its age is seen in the
 /// estimate. Commands of the agent become setpoints at each step of the run, by the
 /// guidance; arming, taking off, modes and landing are FlightDirector's. Nobody knows
-/// the truth.
+/// the truth. One that flies and cannot be commanded (CommandMonitor) is brought back.
 ///
 /// With a body here (DrivenPlant) only the autopilot is elsewhere: then the truth is the
 /// body's, which the payload looks from, and its parts can be made to fail.
@@ -92,10 +93,12 @@ class RealVehicle final : public Vehicle {
   void command_autopilot(const Surroundings& world, Time now, Time until);
   void give(const AutopilotCommand& command);
   void send_setpoint(Time now, double dt);
+  void watch_command(Time now);
 
   RealVehicleParts parts_;
   MotionTracker tracker_;
   FlightDirector director_;
+  CommandMonitor monitor_;
   VirtualFeeds feeds_;
   VehicleCondition condition_;
   NavEstimate estimate_;
@@ -108,6 +111,7 @@ class RealVehicle final : public Vehicle {
   int refusals_before_ = 0;  // when the last command was given
   bool blocked_ = false;     // its link was made to fail
   bool stale_ = false;       // reported
+  bool jumped_ = false;      // its position has, in the air
 };
 
 }  // namespace skein::mixed
