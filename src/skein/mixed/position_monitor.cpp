@@ -15,7 +15,8 @@ const Time kSettles = Time::from_seconds(1);
 }  // namespace
 
 void PositionMonitor::hear(const VehicleMotion& motion) {
-  if (last_ && motion.time > last_->time) {
+  // By dead reckoning it drifts, and is corrected when it has satellites again.
+  if (last_ && motion.time > last_->time && state_ != State::kLost) {
     const double dt = (motion.time - last_->time).seconds();
     const Vec3 moved = motion.p_N - last_->p_N;
     if (moved.norm() > kSlack + kSpeedMargin * max_speed_ * dt) {

@@ -17,7 +17,8 @@ namespace skein::mixed {
 ///
 ///   jump:  |p(t2) - p(t1)| > kSlack + 1.5 v_max (t2 - t1)
 ///
-/// What it jumped is remembered: it is good again once it has jumped back, or when
+/// When satellites are back after a loss, where it is then is no jump. What it jumped is
+/// remembered: it is good again once it has jumped back, or when
 /// somebody says so (accept()). Each loss is one event, and so is its end, after a second
 /// without another.
 class PositionMonitor {
@@ -38,6 +39,8 @@ class PositionMonitor {
   void accept() { jumped_N_.setZero(); }
 
   bool is_good() const { return state_ == State::kGood; }
+  /// It has, and not back.
+  bool has_jumped() const { return state_ == State::kJumped; }
   /// Why it is not, for people; empty while it is.
   std::string_view why() const { return why_; }
 

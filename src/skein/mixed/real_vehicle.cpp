@@ -84,6 +84,8 @@ struct RealVehicle::Listener {
   void operator()(const EntityReport&) const {}     // its agent is here
   void operator()(const ActuatorOutputs&) const {}  // of a body's drive
   void operator()(const OutsideEvent& event) const {
+    // In the air the monitor of its position reports it.
+    if (event.kind == "position-jumped" && !self.condition_.on_ground) return;
     self.events_.push_back({event.kind, event.text});
   }
   void operator()(const FeedHealth&) const {}
@@ -176,6 +178,7 @@ void RealVehicle::command_autopilot(const Surroundings& world, Time now, Time un
   land_from_above();
   director_.step(now, condition_, -estimate_.p_N.z(), position_.is_good(), *parts_.port,
                  events_);
+  watch_command(now);
   if (!tracker_.known())
     return feeds_.step(world, now, nullptr, condition_.on_ground, *parts_.port);
   const VehicleMotion motion = tracker_.at(now);
@@ -188,6 +191,24 @@ void RealVehicle::command_autopilot(const Surroundings& world, Time now, Time un
                                      motion.w_NB_B,
                                      {motion.wind_N.x(), motion.wind_N.y(), 0}});
   if (good && !condition_.on_ground) send_setpoint(now, (until - now).seconds());
+}
+
+// One that was taken off and cannot be commanded is not left alone.
+void RealVehicle::watch_command(Time now) {
+  CommandMonitor::Inputs in;
+  in.leads = director_.leads(condition_);
+  in.taking_off = director_.taking_off();
+  in.guided = condition_.mode == VehicleMode::kGuided;
+  in.position = tracker_.known() && now - tracker_.time() <= parts_.max_age;
+  in.jumped = position_.has_jumped();
+  if (tracker_.known()) in.position_age = (now - tracker_.time()).seconds();
+  in.mode_name = condition_.mode_name;
+  in.altitude_msl = -estimate_.p_N.z();
+  in.climbs_to = director_.climbs_to();
+  const std::string why = monitor_.step(now, in);
+  if (why.empty()) return;
+  events_.push_back({"not-commandable", why + "; it is sent back"});
+  director_.bring_back(why);
 }
 
 // What hovers comes down where it is: so it is led above the point first.
@@ -211,8 +232,10 @@ void RealVehicle::send_setpoint(Time now, double dt) {
     setpoint.climb_rate = flight->climb_rate;
     setpoint.altitude_msl = -estimate_.p_N.z() + kClimbLead * flight->climb_rate;
     parts_.port->send(0, setpoint);
+    monitor_.sent(now, setpoint, tracker_.newest());
   } else if (const auto* track = std::get_if<TrackSetpoint>(&control)) {
     parts_.port->send(0, *track);
+    monitor_.sent(now, *track, tracker_.newest());
   }
 }
 
@@ -276,8 +299,13 @@ AutopilotStatus RealVehicle::status() const {
   status.trigger = control.trigger();
   status.reaction = control.reaction();
   status.held = control.why();
+  if (control.is_taken()) return status;
+  if (director_.brings_back()) {
+    status.reaction = FailsafeReaction::kReturn;
+    status.held = director_.why_back();
+  }
   // Where it is not known nobody leads it anywhere; what it does is its own affair.
-  if (control.is_taken() || !director_.up() || condition_.on_ground) return status;
+  if (!status.held.empty() || !director_.up() || condition_.on_ground) return status;
   status.held = position_.why();
   if (!status.held.empty()) status.reaction = FailsafeReaction::kHold;
   return status;

@@ -7,6 +7,7 @@
 
 #include "skein/base/time.h"
 #include "skein/data/vehicle_report.h"
+#include "skein/mixed/command_monitor.h"
 #include "skein/mixed/driven_plant.h"
 #include "skein/mixed/flight_director.h"
 #include "skein/mixed/motion_tracker.h"
@@ -42,7 +43,8 @@ struct RealVehicleParts {
 /// estimate. It is not commanded while that is no position (PositionMonitor), nor while
 /// somebody else has it (ControlMonitor). Commands of the agent become setpoints at each
 /// step of the run, by the guidance; arming, taking off, modes and landing are
-/// FlightDirector's. Nobody knows the truth.
+/// FlightDirector's. Nobody knows the truth. One that flies and cannot be commanded
+/// (CommandMonitor) is brought back.
 ///
 /// With a body here (DrivenPlant) only the autopilot is elsewhere: then the truth is the
 /// body's, which the payload looks from, and its parts can be made to fail.
@@ -96,11 +98,13 @@ class RealVehicle final : public Vehicle {
   void command_autopilot(const Surroundings& world, Time now, Time until);
   void give(const AutopilotCommand& command);
   void send_setpoint(Time now, double dt);
+  void watch_command(Time now);
 
   RealVehicleParts parts_;
   MotionTracker tracker_;
   FlightDirector director_;
   PositionMonitor position_;
+  CommandMonitor monitor_;
   VirtualFeeds feeds_;
   VehicleCondition condition_;
   NavEstimate estimate_;

@@ -534,6 +534,9 @@ void VehicleLinks::received(transport::ChannelId channel,
         Vehicle& vehicle = *found->second;
         vehicle.client.receive(frame, channel, now(vehicle), out_);
         hand_over(vehicle, arrived);
+      } else {
+        for (const auto& [system, vehicle] : vehicles)
+          vehicle->client.receive_other(frame, now(*vehicle));
       }
     }
     forward(channel, frame);

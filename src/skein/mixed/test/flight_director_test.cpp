@@ -108,7 +108,7 @@ TEST(FlightDirector, AsksToTakeOffAgainAndReportsADenialOnce) {
     c.run(4);
   }
   EXPECT_EQ(c.count<TakeOffRequest>(), 6u);
-  EXPECT_EQ(c.reported("arming-denied"), 1u);
+  EXPECT_EQ(c.reported("take-off-denied"), 1u);
   EXPECT_EQ(c.reported("pilot-took-over"), 0u);  // manual, but on the ground
 }
 

