@@ -98,6 +98,8 @@ void print_table(const record::RunSummary& summary) {
       {"aircraft_landed", "aircraft that have landed"},
       {"accidents", "accidents"},
       {"failsafes", "failsafes"},
+      {"outside_programs_ended", "ends of programs of aircraft elsewhere"},
+      {"outside_programs_gone", "of these not there in the end"},
       {"cross_track_rms_m", "distance to the path flown, RMS [m]"},
       {"position_error_rms_m", "error of own position, RMS [m]"},
       {"min_charge", "lowest charge left, of 1"},
@@ -313,6 +315,19 @@ int finish(const RunArguments& arguments, const fs::path& folder,
   return interrupted ? kInterrupted : kDone;
 }
 
+// Whether a program that moved or flew an aircraft was gone when the run ended: then
+// nothing of that aircraft counts, and the run has failed.
+bool misses_programs(const record::RunSummary& summary) {
+  const auto gone = summary.number("outside_programs_gone");
+  if (!gone || *gone == 0) return false;
+  complain(
+      "Programs of {:.0f} aircraft ended by themselves and were not there in the end: "
+      "see "
+      "the events autopilot-ended and flight-model-ended.\n",
+      *gone);
+  return true;
+}
+
 // Makes what shall be run.
 Result<assemble::Build> build_order(const RunOrder& order) {
   if (order.agent)
@@ -391,7 +406,8 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
              folder.string(), quoted((folder / "scenario.yaml").string()), scenario.seed);
     return kFailed;
   }
-  const int status = finish(arguments, folder, closed.value(), simulated.value());
+  int status = finish(arguments, folder, closed.value(), simulated.value());
+  if (!again && misses_programs(closed.value()) && status == kDone) status = kFailed;
   if (page.value()) keep_serving(*page.value(), stop);
   return status == kDone && order.recorded ? compare(*order.recorded, closed.value())
                                            : status;

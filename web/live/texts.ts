@@ -128,7 +128,7 @@ export const T = {
     ofAircraft: "the chosen aircraft",
     ofTeam: (station: string) => `whoever of the team of ${station} suits best`,
     inPlaceOf: (n: number, what: string) => `the team, in place of task ${n} (${what})`,
-    failsafes: { link: "link lost", battery: "battery low", geofence: "geofence", gnss: "no GNSS", motor: "motor failed", imu: "IMU failed" } as Record<string, string>,
+    failsafes: { link: "link lost", battery: "battery low", geofence: "geofence", gnss: "no GNSS", motor: "motor failed", imu: "IMU failed", unknown: "a failsafe of its own" } as Record<string, string>,
     reactions: { hold: "holds", return: "returns", land: "lands", descend: "descends" } as Record<string, string>,
     give: "Give a task",
     kind: "Task",

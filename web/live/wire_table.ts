@@ -840,6 +840,9 @@ export const kTable: Table = {
       ["group", "flag"],
       ["station", "text"],
     ],
+    HandBack: [
+      ["aircraft", "text"],
+    ],
     Command: [
       ["time", "time"],
       ["sender", "text"],
@@ -1291,7 +1294,7 @@ export const kTable: Table = {
   },
   enums: {
     Enum: ["manual", "stabilized", "auto", "guided"],
-    Enum2: ["none", "link", "battery", "geofence", "gnss", "motor", "imu"],
+    Enum2: ["none", "link", "battery", "geofence", "gnss", "motor", "imu", "unknown"],
     Enum3: ["none", "hold", "return", "land", "descend"],
     Enum4: ["none", "flying", "paused", "done", "impossible"],
     Enum5: ["viewer", "operator", "instructor"],
@@ -1426,6 +1429,7 @@ export const kTable: Table = {
       ["allocation", "@Allocation"],
       ["change_flight", "@ChangeFlight"],
       ["change_team_task", "@ChangeTeamTask"],
+      ["hand_back", "@HandBack"],
     ],
     Choice8: [
       ["open", "@Open"],

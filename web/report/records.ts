@@ -74,7 +74,7 @@ export interface Estimate {
   demanded_airspeed_mps: number | null; // of fixed-wing guidance
   on_ground: boolean; // as far as it knows
   mode: "manual" | "stabilized" | "auto" | "guided"; // who flies
-  failsafe: "none" | "link" | "battery" | "geofence" | "gnss" | "motor" | "imu"; // what has gone wrong
+  failsafe: "none" | "link" | "battery" | "geofence" | "gnss" | "motor" | "imu" | "unknown"; // what has gone wrong
   reaction: "none" | "hold" | "return" | "land" | "descend"; // what is done about it
   refusals: number; // commands that could not be flown
   charge: number | null; // as its battery monitor says
@@ -1129,11 +1129,16 @@ export interface ChangeTeamTask {
   station: string; // whose team; empty: of all
 }
 
+/** An aircraft that was taken from its agent is commanded by it again. */
+export interface HandBack {
+  aircraft: string; // who
+}
+
 /** A command that somebody gave. */
 export interface CommandRecord {
   time_s: number; // it counts from this step on
   sender: string; // who gave it
-  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove) | ({ kind: "change_task" } & ChangeTask) | ({ kind: "vehicle" } & Vehicle) | ({ kind: "allocation" } & Allocation) | ({ kind: "change_flight" } & ChangeFlight) | ({ kind: "change_team_task" } & ChangeTeamTask)
+  kind: string; // what was asked for: fields of ({ kind: "zone" } & ZoneChange) | ({ kind: "task" } & TaskCommand) | ({ kind: "mission" } & Mission) | ({ kind: "pause" } & Pause) | ({ kind: "step" } & Step) | ({ kind: "speed" } & Speed) | ({ kind: "fault" } & Fault) | ({ kind: "wind" } & Wind) | ({ kind: "add" } & Add) | ({ kind: "remove" } & Remove) | ({ kind: "change_task" } & ChangeTask) | ({ kind: "vehicle" } & Vehicle) | ({ kind: "allocation" } & Allocation) | ({ kind: "change_flight" } & ChangeFlight) | ({ kind: "change_team_task" } & ChangeTeamTask) | ({ kind: "hand_back" } & HandBack)
 }
 
 /** A value that a plugin has recorded. */
@@ -1602,7 +1607,7 @@ export interface VehicleView {
   age_s: number; // of this estimate
   heard_s: number | null; // when a ground station heard of it last; null: never yet
   mode: "manual" | "stabilized" | "auto" | "guided"; // who flies
-  failsafe: "none" | "link" | "battery" | "geofence" | "gnss" | "motor" | "imu"; // what has gone wrong
+  failsafe: "none" | "link" | "battery" | "geofence" | "gnss" | "motor" | "imu" | "unknown"; // what has gone wrong
   reaction: "none" | "hold" | "return" | "land" | "descend"; // what is done about it
   on_ground: boolean; // as far as it knows
   task_number: number; // of the newest order that it obeys, as its station has heard; 0: none yet

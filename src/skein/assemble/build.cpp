@@ -494,6 +494,7 @@ class Builder {
         vehicle_links::ShownAircraft shown;
         shown.name = aircraft.name;
         shown.hovers = server.hovers;
+        shown.ardupilot = server.make == vehicle_services::Make::kArduPilot;
         shown.commanded = group.agent.kind == "commanded";
         shown.server = build_.links->show(std::move(server));
         all.push_back(std::move(shown));

@@ -61,6 +61,8 @@ struct MavlinkOptions {
   double rate_hz = 10;
   Time silence = Time::from_seconds(3);
   Time max_age = Time::from_seconds(5);
+  double max_start_distance = autopilot_client::StartArea().max_distance;
+  double max_start_height_error = autopilot_client::StartArea().max_height_error;
   double bank_limit = geo::radians(45);
   autopilot::LateralOptions lateral = far_lateral();
   PhysicsChoice physics;
@@ -132,6 +134,14 @@ Fields<MavlinkOptions> mavlink_fields() {
                   "Its sensors see nothing, and it is sent no setpoints, when its last "
                   "position is older.",
                   {.at_least = 0.5, .at_most = 60})
+      .number("max_start_distance_m", &T::max_start_distance,
+              "It is not commanded when it is further from its start, on the map, before "
+              "it has been commanded first; nor when its home is.",
+              {.above = 0, .at_most = 20'000'000})
+      .number(
+          "max_start_height_error_m", &T::max_start_height_error,
+          "It is not taken off when it stands so much higher or lower than its start.",
+          {.above = 0, .at_most = 10'000})
       .angle_deg("bank_limit_deg", &T::bank_limit,
                  "Fixed wings: the largest bank that it is sent. Plans are made for the "
                  "turn radius of its plant; what is more is for corrections.",
@@ -141,6 +151,18 @@ Fields<MavlinkOptions> mavlink_fields() {
               "Whether its plant is here; see docs/outside-physics.md.")
       .object("feeds", &T::feeds, feed_fields(), "What it is sent of the virtual world.")
       .rule("endpoint", endpoint_error);
+}
+
+// Where it is to be before it is commanded first: where it starts, on the ground.
+autopilot_client::StartArea start_area(const MavlinkOptions& options,
+                                       const VehicleContext& c) {
+  autopilot_client::StartArea area;
+  area.p_N = c.aircraft.initial.p_N;
+  if (!c.parts.state.on_ground)
+    area.p_N.z() = -c.aircraft.map->elevation_msl(geo::horizontal(area.p_N));
+  area.max_distance = options.max_start_distance;
+  area.max_height_error = options.max_start_height_error;
+  return area;
 }
 
 int system_of(const MavlinkOptions& options, const VehicleContext& c) {
@@ -167,6 +189,7 @@ Result<std::unique_ptr<VehiclePort>> mavlink_port(
   linked.client.hovers = c.aircraft.limits.slowest == 0;
   linked.client.rate = options.rate_hz;
   linked.client.silence = options.silence;
+  linked.client.start = start_area(options, c);
   linked.clock_ns = std::move(clock_ns);
   linked.name = c.parts.name;
   linked.traffic = options.feeds.traffic;

@@ -107,10 +107,11 @@ enum class FailsafeTrigger : std::uint8_t {
   kGnss,      ///< no fix
   kMotor,     ///< a motor stands
   kImu,       ///< no inertial measurement: the attitude is not known
+  kUnknown,   ///< of an autopilot elsewhere that does not say why
 };
 constexpr auto names_of(const FailsafeTrigger*) {
   return std::to_array<std::string_view>(
-      {"none", "link", "battery", "geofence", "gnss", "motor", "imu"});
+      {"none", "link", "battery", "geofence", "gnss", "motor", "imu", "unknown"});
 }
 
 /// What an autopilot flies by, besides satellites. Each may be fitted more than once.
@@ -169,7 +170,11 @@ struct AutopilotStatus {
   FailsafeReaction reaction = FailsafeReaction::kNone;
   int refusals = 0;  ///< commands that could not be flown so far
   std::string_view refused =
-      {};              ///< why the last of them could not; good until the next one
+      {};  ///< why the last of them could not; good until the next one
+  /// Why its agent does not command it now, in words for people: somebody else flies it,
+  /// or its position is not known. Empty while its agent does, and of what is simulated.
+  /// Good until the next step. Orders given meanwhile are refused with it.
+  std::string_view held = {};
   double charge = 1;   ///< left, from 0 to 1
   double reserve = 1;  ///< of it, when what it takes to get home is taken off
   /// Bit k: of FlightSensor k, which is fitted, nothing is received any more.
@@ -179,7 +184,7 @@ struct AutopilotStatus {
       std::nullopt;  ///< flight time left at the present power [s]
 };
 
-// Without `refused`, which becomes the event "refused".
+// Without `refused` and `held`, which become events.
 constexpr auto describe(const AutopilotStatus*) {
   using T = AutopilotStatus;
   return described<T>(

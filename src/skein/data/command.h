@@ -259,11 +259,25 @@ constexpr auto describe(const TeamTaskCommand*) {
       field("station", &T::station, "whose team; empty: of all"));
 }
 
+/// An aircraft behind a link that a failsafe of its own or somebody else has taken is
+/// commanded by its agent again.
+struct HandBackCommand {
+  std::string aircraft;
+};
+
+constexpr auto describe(const HandBackCommand*) {
+  return described<HandBackCommand>(
+      {"hand_back"},
+      "An aircraft that was taken from its agent is commanded by it again.",
+      field("aircraft", &HandBackCommand::aircraft, "who"));
+}
+
 /// New kinds go to the end: the place in this list is part of the wire form.
-using Command = std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand,
-                             StepCommand, SpeedCommand, FaultCommand, WindCommand,
-                             AddCommand, RemoveCommand, TaskChangeCommand, VehicleCommand,
-                             AllocationCommand, FlightChangeCommand, TeamTaskCommand>;
+using Command =
+    std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand, StepCommand,
+                 SpeedCommand, FaultCommand, WindCommand, AddCommand, RemoveCommand,
+                 TaskChangeCommand, VehicleCommand, AllocationCommand,
+                 FlightChangeCommand, TeamTaskCommand, HandBackCommand>;
 
 /// The word for a command.
 std::string_view kind_of(const Command& command);

@@ -31,7 +31,7 @@ Error wrong(std::string message, std::string usage) {
 
 constexpr const char* kUsage =
     "Commands: zone, task, team, flight, mission, allocation, pause, resume, step, "
-    "speed, fault, repair, wind, add, remove.";
+    "speed, fault, repair, wind, add, remove, hand-back.";
 std::string task_hint() {
   std::string hint = "Say: task AIRCRAFT pause, resume, cancel, give AIRCRAFT";
   for (const auto& [usage, help] : task_usage()) hint += "; " + usage;
@@ -316,6 +316,8 @@ Result<Command> parse_valid(std::string_view line) {
     return Command(AddCommand{std::string(given[0])});
   if (verb == "remove" && given.size() == 1)
     return Command(RemoveCommand{std::string(given[0])});
+  if (verb == "hand-back" && given.size() == 1)
+    return Command(HandBackCommand{std::string(given[0])});
   return wrong("this is no command.", kUsage);
 }
 

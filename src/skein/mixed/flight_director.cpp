@@ -9,10 +9,25 @@ namespace {
 
 const Time kAgain = Time::from_seconds(3);    // after a denial
 const Time kSettled = Time::from_seconds(5);  // on the ground: then motors off
+const Time kSlowAgain = Time::from_seconds(15);
+constexpr int kQuickTries = 20;                 // then it is asked more slowly
+const Time kDisarmed = Time::from_seconds(20);  // after motors turned for nothing
+const Time kStands = Time::from_seconds(20);    // after an accepted take-off
+const Time kSaidAgain = Time::from_seconds(60);
+constexpr std::size_t kMaxReasons = 50;
 constexpr double kArrival = 8;  // from the altitude of a take-off, counted as there [m]
 
-bool by_sticks(VehicleMode mode) {
-  return mode == VehicleMode::kManual || mode == VehicleMode::kStabilized;
+// The same reason with other numbers is the same.
+std::string without_numbers(const std::string& text) {
+  std::string reason;
+  for (const char c : text) {
+    const bool digit = c >= '0' && c <= '9';
+    if (!digit)
+      reason += c;
+    else if (reason.empty() || reason.back() != '#')
+      reason += '#';
+  }
+  return reason;
 }
 
 }  // namespace
@@ -24,9 +39,16 @@ void FlightDirector::set_goal(Goal goal) {
   pending_ = 0;
   again_at_ = Time();
   denied_.clear();
+  denials_ = 0;
+  disarm_ = false;
+  stands_since_.reset();
 }
 
 void FlightDirector::take_off(const TakeOffRequest& request) {
+  if (goal_ == Goal::kBringBack) {
+    pending_event_ = "it was brought back and stays on the ground: " + brought_back_;
+    return;
+  }
   take_off_ = request;
   set_goal(Goal::kTakeOff);
 }
@@ -34,20 +56,31 @@ void FlightDirector::take_off(const TakeOffRequest& request) {
 void FlightDirector::fly() {
   // What is commanded while it takes off waits until it is up.
   if (goal_ == Goal::kTakeOff && !done_) return;
+  if (goal_ == Goal::kBringBack) return;
   set_goal(Goal::kFly);
+}
+
+void FlightDirector::bring_back(const std::string& why) {
+  if (goal_ == Goal::kBringBack) return;
+  brought_back_ = why;
+  set_goal(Goal::kBringBack);
+  lands_next_ = not_back_said_ = false;
+  not_back_.clear();
 }
 
 void FlightDirector::land(const LandRequest& request) {
   if (goal_ == Goal::kLand && land_.point == request.point) return;
+  if (goal_ == Goal::kBringBack && (reached_ || done_)) return;
   land_ = request;
   goal_ = Goal::kNone;  // elsewhere: it begins anew
   set_goal(Goal::kLand);
 }
 
 void FlightDirector::hear(const LinkChange& change) {
+  control_.hear(change);
   switch (change.kind) {
     case LinkChange::Kind::kUp:
-      came_up_ = up_ = true;
+      up_ = true;
       pending_ = 0;
       again_at_ = Time();
       return;
@@ -56,9 +89,7 @@ void FlightDirector::hear(const LinkChange& change) {
       reached_ = false;
       return;
     case LinkChange::Kind::kRebooted:
-      came_up_ = true;
-      pending_ = 0;
-      asked_ = started_ = reached_ = false;
+      begin_again();
       return;
     case LinkChange::Kind::kMismatch:
     case LinkChange::Kind::kDuplicate:
@@ -71,16 +102,45 @@ void FlightDirector::hear(const RequestAnswer& answer, Time now,
   if (answer.number == 0 || answer.number != pending_) return;
   pending_ = 0;
   if (answer.outcome == RequestAnswer::Outcome::kAccepted) {
-    started_ = true;
-    denied_.clear();
+    started_ = accepted_ = true;
+    denials_ = 0;
     again_at_ = now + kAgain;  // its mode follows a moment later
     return;
   }
-  again_at_ = now + kAgain;
-  if (answer.text == denied_) return;
-  denied_ = answer.text;
-  const char* kind = goal_ == Goal::kTakeOff ? "arming-denied" : "request-denied";
-  events.push_back({kind, fmt::format("{}: {}", name_of(answer.outcome), answer.text)});
+  again_at_ = now + (++denials_ < kQuickTries ? kAgain : kSlowAgain);
+  if (answer.outcome != RequestAnswer::Outcome::kNoAnswer) control_.denied();
+  if (goal_ == Goal::kBringBack) return not_brought_back(answer.text, events);
+  disarm_ = goal_ == Goal::kTakeOff && !armed_before_;
+  refused(answer.text, now, events);
+}
+
+// Once, and again when the reason is another. What has no text was said elsewhere.
+void FlightDirector::refused(const std::string& reason, Time now,
+                             std::vector<VehicleEvent>& events) {
+  const char* kind = goal_ == Goal::kTakeOff || goal_ == Goal::kBringBack
+                         ? "take-off-denied"
+                         : "request-denied";
+  const std::string short_reason = without_numbers(reason);
+  if (reason.empty() || short_reason == denied_) return;
+  denied_ = short_reason;
+  const auto said = said_.find(kind + short_reason);
+  if (said != said_.end() && now - said->second < kSaidAgain) return;
+  if (said_.size() >= kMaxReasons) said_.clear();
+  said_[kind + short_reason] = now;
+  events.push_back({kind, reason});
+}
+
+// By return and by landing in turn; that neither is taken is reported once.
+void FlightDirector::not_brought_back(const std::string& reason,
+                                      std::vector<VehicleEvent>& events) {
+  const bool both = lands_next_ || !hovers_;
+  if (both && !std::exchange(not_back_said_, true))
+    events.push_back({"not-brought-back",
+                      fmt::format("{}{}{}; only its pilot or a failsafe of its own can "
+                                  "bring it back",
+                                  not_back_, not_back_.empty() ? "" : "; ", reason)});
+  not_back_ = reason;
+  lands_next_ = hovers_ && !lands_next_;
 }
 
 // Whether a mode is one that what was asked for goes through.
@@ -95,51 +155,49 @@ bool FlightDirector::is_wanted(VehicleMode mode) const {
       return mode == VehicleMode::kGuided;
     case Goal::kLand:
       return mode == VehicleMode::kLand || (!hovers_ && mode == VehicleMode::kMission);
+    case Goal::kBringBack:
+      return mode == VehicleMode::kReturn || mode == VehicleMode::kLand;
   }
   return true;
 }
 
-void FlightDirector::watch_mode(const VehicleCondition& condition,
-                                std::vector<VehicleEvent>& events) {
-  const bool changed = condition.mode_name != last_name_;
-  const bool unseen = std::exchange(came_up_, false);
-  const VehicleMode before = last_mode_;
-  last_mode_ = condition.mode;
-  last_name_ = condition.mode_name;
-  if (is_wanted(condition.mode)) {
-    if (std::exchange(taken_, false))
-      events.push_back({"handed-back", condition.mode_name});
-    return;
-  }
-  const bool pilot = by_sticks(condition.mode);
-  if (unseen && !pilot) {
-    taken_ = false;
-    return;
-  }
-  // Sticks always count; else it can be taken only from a mode that was asked for. On the
-  // ground it is nobody's.
-  const bool takes = pilot ? !taken_ : changed && (reached_ || taken_);
-  if (!takes || condition.on_ground) return;
-  if (!taken_ || by_sticks(before) != pilot)
-    events.push_back({pilot ? "pilot-took-over" : "mode-changed",
-                      fmt::format("it flies in {} now", condition.mode_name)});
-  taken_ = true;
-  reached_ = false;
+// Given back: what is wanted of it is asked for from the beginning.
+void FlightDirector::begin_again() {
+  asked_ = started_ = reached_ = false;
+  pending_ = 0;
+  again_at_ = Time();
+}
+
+Result<void> FlightDirector::hand_back(std::vector<VehicleEvent>& events) {
+  if (!up_)
+    return Error{ErrorCode::kBadInput, "", "its link is down.", "Try when it is up."};
+  if (auto given = control_.hand_back(); !given) return given;
+  begin_again();
+  events.push_back({"handed-back", "by a command"});
+  return {};
 }
 
 void FlightDirector::ask(Time now, const VehicleRequest& request, VehiclePort& port) {
   asked_ = true;
   pending_ = ++number_;
   again_at_ = now;
+  control_.sent(request);
   port.send(pending_, request);
 }
 
 void FlightDirector::step(Time now, const VehicleCondition& condition,
-                          double altitude_msl, VehiclePort& port,
+                          double altitude_msl, bool knows_position, VehiclePort& port,
                           std::vector<VehicleEvent>& events) {
-  if (!up_) return;
-  watch_mode(condition, events);
-  if (taken_) return;
+  if (!up_ || goal_ == Goal::kNone) return;
+  const bool lands = goal_ == Goal::kLand || goal_ == Goal::kBringBack;
+  if (control_.step(now, condition, lands, events)) begin_again();
+  if (!pending_event_.empty()) refused(std::exchange(pending_event_, {}), now, events);
+  if (control_.is_taken()) {
+    reached_ = false;
+    return;
+  }
+  const bool brings_back = goal_ == Goal::kBringBack;  // by its own estimate
+  if (!knows_position && !condition.on_ground && !brings_back) return;
   switch (goal_) {
     case Goal::kNone:
       return;
@@ -149,7 +207,19 @@ void FlightDirector::step(Time now, const VehicleCondition& condition,
       return step_flight(now, condition, port);
     case Goal::kLand:
       return step_landing(now, condition, port);
+    case Goal::kBringBack:
+      return step_bring_back(now, condition, port);
   }
+}
+
+// Accepted and armed, it is to leave the ground.
+void FlightDirector::watch_stand(Time now, const VehicleCondition& condition) {
+  const bool stands = started_ && condition.armed && condition.on_ground;
+  if (!stands) return stands_since_.reset();
+  if (!stands_since_) stands_since_ = now;
+  if (now - *stands_since_ > kStands)
+    pending_event_ = fmt::format("take-off: accepted, but it still stands, armed, in {}",
+                                 condition.mode_name);
 }
 
 void FlightDirector::step_take_off(Time now, const VehicleCondition& condition,
@@ -160,9 +230,20 @@ void FlightDirector::step_take_off(Time now, const VehicleCondition& condition,
   if (flies && altitude_msl >= take_off_.altitude_msl - kArrival) done_ = true;
   reached_ = flies && started_;
   if (done_) return set_goal(Goal::kFly);
+  watch_stand(now, condition);
+  if (std::exchange(disarm_, false) && condition.armed && condition.on_ground) {
+    port.send(0, ArmRequest{false, false});
+    again_at_ = now + kDisarmed;
+  }
   // That it is armed is told some time after it was accepted.
-  if (!flies && started_ && !condition.armed && may_ask(now)) started_ = false;
-  if (!started_ && may_ask(now)) ask(now, take_off_, port);
+  if (!flies && started_ && !condition.armed && may_ask(now)) {
+    started_ = false;
+    pending_event_ = "take-off: accepted, but it is disarmed again";
+    again_at_ = now + kAgain;
+  }
+  if (started_ || !may_ask(now)) return;
+  armed_before_ = condition.armed;
+  ask(now, take_off_, port);
 }
 
 void FlightDirector::step_flight(Time now, const VehicleCondition& condition,
@@ -171,6 +252,14 @@ void FlightDirector::step_flight(Time now, const VehicleCondition& condition,
   const bool flies = condition.armed && !condition.on_ground;
   if (flies && condition.mode != VehicleMode::kGuided && may_ask(now))
     ask(now, ModeRequest{VehicleMode::kGuided}, port);
+}
+
+void FlightDirector::step_bring_back(Time now, const VehicleCondition& condition,
+                                     VehiclePort& port) {
+  done_ = condition.on_ground && !condition.armed;
+  reached_ = is_wanted(condition.mode);
+  if (!done_ && !reached_ && !condition.on_ground && may_ask(now))
+    ask(now, ModeRequest{lands_next_ ? VehicleMode::kLand : VehicleMode::kReturn}, port);
 }
 
 void FlightDirector::step_landing(Time now, const VehicleCondition& condition,

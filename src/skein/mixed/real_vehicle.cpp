@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace skein::mixed {
@@ -35,17 +36,8 @@ const char* event_of(LinkChange::Kind kind) {
   return "";
 }
 
-// What a mode that others have chosen does, as failsafes' reactions are named.
-FailsafeReaction reaction_of(VehicleMode mode) {
-  switch (mode) {
-    case VehicleMode::kReturn:
-      return FailsafeReaction::kReturn;
-    case VehicleMode::kLand:
-      return FailsafeReaction::kLand;
-    default:
-      return FailsafeReaction::kHold;
-  }
-}
+// Wind that may carry it over ground, on top of its own speed [m/s].
+constexpr double kMaxWind = 25;
 
 }  // namespace
 
@@ -53,6 +45,7 @@ RealVehicle::RealVehicle(RealVehicleParts parts)
     : parts_(std::move(parts)),
       tracker_(!hovers(parts_.limits)),
       director_(hovers(parts_.limits)),
+      position_(parts_.limits.fastest + kMaxWind, parts_.max_age),
       feeds_(std::move(parts_.feeds)),
       estimate_(parts_.start) {}
 
@@ -61,12 +54,16 @@ struct RealVehicle::Listener {
   RealVehicle& self;
   Time now;
 
-  void operator()(const VehicleMotion& motion) const { self.tracker_.add(motion); }
+  void operator()(const VehicleMotion& motion) const {
+    self.position_.hear(motion);
+    self.tracker_.add(motion);
+  }
   void operator()(const VehicleCondition& condition) const {
     self.condition_ = condition;
   }
   void operator()(const LinkChange& change) const {
     self.events_.push_back({event_of(change.kind), change.text});
+    self.note_link(change);
     self.director_.hear(change);
     self.feeds_.hear(change);
   }
@@ -75,6 +72,7 @@ struct RealVehicle::Listener {
     self.feeds_.hear(answer, now, self.events_);
   }
   void operator()(const VehicleText& text) const {
+    self.director_.hear(text, now);
     constexpr std::uint8_t kError = 3;  // and what is worse
     if (text.severity <= kError) self.events_.push_back({"vehicle-says", text.text});
   }
@@ -86,6 +84,8 @@ struct RealVehicle::Listener {
   void operator()(const EntityReport&) const {}     // its agent is here
   void operator()(const ActuatorOutputs&) const {}  // of a body's drive
   void operator()(const OutsideEvent& event) const {
+    // In the air the monitor of its position reports it.
+    if (event.kind == "position-jumped" && !self.condition_.on_ground) return;
     self.events_.push_back({event.kind, event.text});
   }
   void operator()(const FeedHealth&) const {}
@@ -97,8 +97,28 @@ void RealVehicle::begin(const Surroundings& world, Time now) {
   parts_.guidance->begin(estimate_, condition_.on_ground);
 }
 
-bool RealVehicle::fresh(Time now) const {
-  return tracker_.known() && now - tracker_.time() <= parts_.max_age;
+void RealVehicle::note_link(const LinkChange& change) {
+  if (change.kind == LinkChange::Kind::kUp) up_ = true;
+  if (change.kind == LinkChange::Kind::kDown) up_ = false;
+}
+
+// Once a step: what it begins with is what a run that is done again begins with. Of what
+// comes over a link that was made to fail only the link's own changes count.
+void RealVehicle::take_in(Time now) {
+  if (std::exchange(received_, now) == now) return;
+  const auto begin = static_cast<std::ptrdiff_t>(reports_.size());
+  parts_.port->receive(now, reports_);
+  if (!blocked_) {
+    for (auto report = reports_.begin() + begin; report != reports_.end(); ++report)
+      std::visit(Listener{*this, now}, *report);
+    return;
+  }
+  const auto lost = std::remove_if(
+      reports_.begin() + begin, reports_.end(),
+      [](const VehicleReport& r) { return !std::holds_alternative<LinkChange>(r); });
+  reports_.erase(lost, reports_.end());
+  for (auto report = reports_.begin() + begin; report != reports_.end(); ++report)
+    note_link(std::get<LinkChange>(*report));
 }
 
 void RealVehicle::begin_step(Time now) {
@@ -107,19 +127,9 @@ void RealVehicle::begin_step(Time now) {
     set_blocked(parts_.body->faults().link);
   }
   feeds_.look(now);
-  // Once a step: what it begins with is what a run that is done again begins with.
-  if (!blocked_ && std::exchange(received_, now) != now) {
-    const auto begin = static_cast<std::ptrdiff_t>(reports_.size());
-    parts_.port->receive(now, reports_);
-    for (auto report = reports_.begin() + begin; report != reports_.end(); ++report)
-      std::visit(Listener{*this, now}, *report);
-  }
+  take_in(now);
   if (!tracker_.known()) return;
-  const bool old = !fresh(now);
-  if (old && !std::exchange(stale_, true))
-    events_.push_back({"position-old", fmt::format("its last position is {:.1f} s old",
-                                                   (now - tracker_.time()).seconds())});
-  if (!old) stale_ = false;
+  position_.step(now, condition_, director_.up(), events_);
   estimate_ = as_estimate(tracker_.at(now));
   estimate_.time = tracker_.time();
 }
@@ -131,7 +141,7 @@ std::optional<SensorView> RealVehicle::view(const Surroundings& world, Time now,
   if (parts_.body) {
     state = parts_.body->state();
     air = parts_.body->air();
-  } else if (fresh(now)) {
+  } else if (position_.is_good()) {
     state = as_state(tracker_.at(now), condition_.on_ground);
     air.wind_N = world.wind.wind(state.p_N, now);
   } else {
@@ -166,19 +176,39 @@ void RealVehicle::advance(const Surroundings& world, Time now, Time until,
 
 void RealVehicle::command_autopilot(const Surroundings& world, Time now, Time until) {
   land_from_above();
-  director_.step(now, condition_, -estimate_.p_N.z(), *parts_.port, events_);
+  director_.step(now, condition_, -estimate_.p_N.z(), position_.is_good(), *parts_.port,
+                 events_);
+  watch_command(now);
   if (!tracker_.known())
     return feeds_.step(world, now, nullptr, condition_.on_ground, *parts_.port);
   const VehicleMotion motion = tracker_.at(now);
-  feeds_.step(world, now, fresh(now) ? &motion : nullptr, condition_.on_ground,
-              *parts_.port);
+  const bool good = position_.is_good();
+  feeds_.step(world, now, good ? &motion : nullptr, condition_.on_ground, *parts_.port);
   parts_.guidance->sense(TruthSample{now,
                                      motion.p_N,
                                      motion.v_N,
                                      motion.q_NB,
                                      motion.w_NB_B,
                                      {motion.wind_N.x(), motion.wind_N.y(), 0}});
-  if (fresh(now) && !condition_.on_ground) send_setpoint(now, (until - now).seconds());
+  if (good && !condition_.on_ground) send_setpoint(now, (until - now).seconds());
+}
+
+// One that was taken off and cannot be commanded is not left alone.
+void RealVehicle::watch_command(Time now) {
+  CommandMonitor::Inputs in;
+  in.leads = director_.leads(condition_);
+  in.taking_off = director_.taking_off();
+  in.guided = condition_.mode == VehicleMode::kGuided;
+  in.position = tracker_.known() && now - tracker_.time() <= parts_.max_age;
+  in.jumped = position_.has_jumped();
+  if (tracker_.known()) in.position_age = (now - tracker_.time()).seconds();
+  in.mode_name = condition_.mode_name;
+  in.altitude_msl = -estimate_.p_N.z();
+  in.climbs_to = director_.climbs_to();
+  const std::string why = monitor_.step(now, in);
+  if (why.empty()) return;
+  events_.push_back({"not-commandable", why + "; it is sent back"});
+  director_.bring_back(why);
 }
 
 // What hovers comes down where it is: so it is led above the point first.
@@ -202,8 +232,10 @@ void RealVehicle::send_setpoint(Time now, double dt) {
     setpoint.climb_rate = flight->climb_rate;
     setpoint.altitude_msl = -estimate_.p_N.z() + kClimbLead * flight->climb_rate;
     parts_.port->send(0, setpoint);
+    monitor_.sent(now, setpoint, tracker_.newest());
   } else if (const auto* track = std::get_if<TrackSetpoint>(&control)) {
     parts_.port->send(0, *track);
+    monitor_.sent(now, *track, tracker_.newest());
   }
 }
 
@@ -260,14 +292,22 @@ AutopilotStatus RealVehicle::status() const {
   }
   if (over_landing_) status.done = false;
   if (director_.landing() && director_.reached()) status.mode = FlightMode::kAuto;
-  if (const auto mode = director_.taken()) {
-    if (*mode == VehicleMode::kManual)
-      status.mode = FlightMode::kManual;
-    else if (*mode == VehicleMode::kStabilized)
-      status.mode = FlightMode::kStabilized;
-    else
-      status.reaction = reaction_of(*mode);
+  const ControlMonitor& control = director_.control();
+  if (control.holder() == ControlMonitor::Holder::kPilot)
+    status.mode = control.mode() == VehicleMode::kManual ? FlightMode::kManual
+                                                         : FlightMode::kStabilized;
+  status.trigger = control.trigger();
+  status.reaction = control.reaction();
+  status.held = control.why();
+  if (control.is_taken()) return status;
+  if (director_.brings_back()) {
+    status.reaction = FailsafeReaction::kReturn;
+    status.held = director_.why_back();
   }
+  // Where it is not known nobody leads it anywhere; what it does is its own affair.
+  if (!status.held.empty() || !director_.up() || condition_.on_ground) return status;
+  status.held = position_.why();
+  if (!status.held.empty()) status.reaction = FailsafeReaction::kHold;
   return status;
 }
 
@@ -297,10 +337,19 @@ Result<void> RealVehicle::set_fault(const std::string& part, bool fails, Time no
 }
 
 void RealVehicle::set_blocked(bool blocked) {
-  if (std::exchange(blocked_, blocked) == blocked) return;
+  if (std::exchange(blocked_, blocked) == blocked || !up_) return;
   const LinkChange change{blocked ? LinkChange::Kind::kDown : LinkChange::Kind::kUp, {}};
   director_.hear(change);
   feeds_.hear(change);
+}
+
+Result<void> RealVehicle::hand_back(Time /*now*/) {
+  // A place that it has jumped to counts from then on.
+  if (director_.up() && !position_.why().empty() && !director_.control().is_taken()) {
+    position_.accept();
+    return {};
+  }
+  return director_.hand_back(events_);
 }
 
 }  // namespace skein::mixed

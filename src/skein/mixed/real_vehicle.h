@@ -7,9 +7,11 @@
 
 #include "skein/base/time.h"
 #include "skein/data/vehicle_report.h"
+#include "skein/mixed/command_monitor.h"
 #include "skein/mixed/driven_plant.h"
 #include "skein/mixed/flight_director.h"
 #include "skein/mixed/motion_tracker.h"
+#include "skein/mixed/position_monitor.h"
 #include "skein/mixed/virtual_feeds.h"
 #include "skein/role/autopilot.h"
 #include "skein/role/sensor.h"
@@ -38,9 +40,11 @@ struct RealVehicleParts {
 /// virtual world, its payload, is here.
 ///
 /// Its state is what it says, carried on to now (MotionTracker); its age is seen in the
-/// estimate. Commands of the agent become setpoints at each step of the run, by the
-/// guidance; arming, taking off, modes and landing are FlightDirector's. Nobody knows
-/// the truth.
+/// estimate. It is not commanded while that is no position (PositionMonitor), nor while
+/// somebody else has it (ControlMonitor). Commands of the agent become setpoints at each
+/// step of the run, by the guidance; arming, taking off, modes and landing are
+/// FlightDirector's. Nobody knows the truth. One that flies and cannot be commanded
+/// (CommandMonitor) is brought back.
 ///
 /// With a body here (DrivenPlant) only the autopilot is elsewhere: then the truth is the
 /// body's, which the payload looks from, and its parts can be made to fail.
@@ -78,13 +82,15 @@ class RealVehicle final : public Vehicle {
   bool lost() const override { return parts_.body && parts_.body->lost(); }
   void take_events(std::vector<VehicleEvent>& out) override;
   void take_reports(std::vector<VehicleReport>& out) override;
+  Result<void> hand_back(Time now) override;
   /// Part "link": nothing comes in or goes out any more. Others: of its body.
   Result<void> set_fault(const std::string& part, bool fails, Time now) override;
 
  private:
   struct Listener;
 
-  bool fresh(Time now) const;
+  void take_in(Time now);
+  void note_link(const LinkChange& change);
   void set_blocked(bool blocked);
   std::optional<SensorView> view(const Surroundings& world, Time now, VehicleState& state,
                                  Air& air) const;
@@ -92,10 +98,13 @@ class RealVehicle final : public Vehicle {
   void command_autopilot(const Surroundings& world, Time now, Time until);
   void give(const AutopilotCommand& command);
   void send_setpoint(Time now, double dt);
+  void watch_command(Time now);
 
   RealVehicleParts parts_;
   MotionTracker tracker_;
   FlightDirector director_;
+  PositionMonitor position_;
+  CommandMonitor monitor_;
   VirtualFeeds feeds_;
   VehicleCondition condition_;
   NavEstimate estimate_;
@@ -107,7 +116,7 @@ class RealVehicle final : public Vehicle {
   std::uint32_t commands_ = 0;
   int refusals_before_ = 0;  // when the last command was given
   bool blocked_ = false;     // its link was made to fail
-  bool stale_ = false;       // reported
+  bool up_ = false;          // its link is up, but for that
 };
 
 }  // namespace skein::mixed

@@ -8,7 +8,7 @@
 namespace skein::record {
 
 void FlightStatistics::truth(Time time, EntityId id, const VehicleState& state) {
-  last_[id] = {time, geo::horizontal(state.p_N)};
+  position_error_.truth(time, id, geo::horizontal(state.p_N), geo::horizontal(state.v_N));
   const double charge = state.energy.charge;
   min_charge_ = std::min(min_charge_.value_or(charge), charge);
   const auto landed = landed_.find(id);
@@ -24,9 +24,7 @@ void FlightStatistics::truth(Time time, EntityId id, const VehicleState& state) 
 void FlightStatistics::estimate(Time time, EntityId id, const Vec3& p_N,
                                 std::optional<double> cross_track) {
   if (cross_track) cross_track_.add(*cross_track * *cross_track);
-  const auto truth = last_.find(id);
-  if (truth == last_.end() || truth->second.time != time) return;
-  position_error_.add((geo::horizontal(p_N) - truth->second.position).squaredNorm());
+  position_error_.estimate(time, id, geo::horizontal(p_N));
 }
 
 void FlightStatistics::reserve(EntityId id, double reserve) {
@@ -41,6 +39,12 @@ void FlightStatistics::event(const Event& event) {
     ++accidents_;
     broken_.insert(event.entity);
   }
+  if (event.kind == "autopilot-ended" || event.kind == "flight-model-ended") {
+    ++programs_ended_;
+    gone_.insert(event.entity);
+  }
+  if (event.kind == "autopilot-restarted" || event.kind == "flight-model-restarted")
+    gone_.erase(event.entity);
   if (event.kind != "failsafe") return;
   // "link: return", "motor: none", "over": it begins where nothing acted before.
   bool& acting = acting_[event.entity];
@@ -61,7 +65,11 @@ void FlightStatistics::add_figures(
     if (square.count > 0) figures[name] = std::sqrt(square.sum / square.count);
   };
   put("cross_track_rms_m", cross_track_);
-  put("position_error_rms_m", position_error_);
+  if (const auto error = position_error_.rms()) figures["position_error_rms_m"] = *error;
+  if (programs_ended_ > 0) {
+    figures["outside_programs_ended"] = static_cast<double>(programs_ended_);
+    figures["outside_programs_gone"] = static_cast<double>(gone_.size());
+  }
   if (min_charge_) figures["min_charge"] = *min_charge_;
   for (const auto& [id, reserve] : min_reserve_)
     figures["min_reserve_" + name_of(id)] = reserve;

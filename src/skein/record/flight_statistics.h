@@ -12,6 +12,7 @@
 #include "skein/data/event.h"
 #include "skein/data/vehicle.h"
 #include "skein/geo/vec.h"
+#include "skein/record/position_error.h"
 
 namespace skein::record {
 
@@ -30,9 +31,11 @@ class FlightStatistics {
   /// Adds `accidents`, `failsafes` (how often one began to act), `aircraft_landed` (that
   /// stand on the ground in the end, having flown, without an accident; where none does
   /// it is left out), and where there is something to say `cross_track_rms_m`,
-  /// `position_error_rms_m` (horizontal, of the estimates against the truth of the same
-  /// time) and `min_charge`. Per aircraft, by its name, `min_reserve_<name>` once
-  /// something was known of it.
+  /// `position_error_rms_m` (horizontal, of the estimates against the truth of their
+  /// times),
+  /// `outside_programs_ended` and `outside_programs_gone` (that ended by themselves, and
+  /// those of them that were not there in the end) and `min_charge`. Per aircraft, by its
+  /// name, `min_reserve_<name>` once something was known of it.
   void add_figures(std::map<std::string, double>& figures,
                    const std::function<std::string(EntityId)>& name_of) const;
 
@@ -44,18 +47,16 @@ class FlightStatistics {
       count += 1;
     }
   };
-  struct Place {
-    Time time;
-    Vec2 position = Vec2::Zero();
-  };
-  std::map<EntityId, Place> last_;  // truth
-  Square cross_track_, position_error_;
+  Square cross_track_;
+  PositionError position_error_;
   std::optional<double> min_charge_;
   std::map<EntityId, double> min_reserve_;
   std::map<EntityId, bool> acting_;  // a failsafe
   std::set<EntityId> flown_, broken_;
   std::map<EntityId, Time> landed_;  // when it touched the ground last
   std::uint64_t accidents_ = 0, failsafes_ = 0;
+  std::uint64_t programs_ended_ = 0;
+  std::set<EntityId> gone_;  // whose program has ended
 };
 
 }  // namespace skein::record

@@ -118,6 +118,13 @@ class Vehicle {
   /// records: with it a run can be done again. Nothing for what is simulated.
   virtual void take_reports(std::vector<VehicleReport>& /*out*/) {}
 
+  /// Its agent shall command it again, which somebody else had taken, or its own
+  /// failsafe. Fails: kBadInput when its agent commands it, or a pilot's sticks fly it.
+  virtual Result<void> hand_back(Time /*now*/) {
+    return Error{ErrorCode::kBadInput, "", "it is commanded by its agent.",
+                 "Only what was taken from its agent can be handed back."};
+  }
+
   /// Makes a part fail from `now` on, or work again.
   /// Fails: kBadInput when there is no such part, or it cannot be made to fail.
   virtual Result<void> set_fault(const std::string& part, bool fails, Time now) = 0;

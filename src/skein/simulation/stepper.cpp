@@ -33,6 +33,14 @@ bool takes_part(const Entity& entity, Time now) {
   return false;
 }
 
+// "battery: return", and what else is known of it.
+std::string failsafe_text(const AutopilotStatus& status) {
+  std::string text =
+      fmt::format("{}: {}", name_of(status.trigger), name_of(status.reaction));
+  if (!status.held.empty()) text.append(": ").append(status.held);
+  return text;
+}
+
 std::optional<double> rms_sigma(const BoundaryEstimate& belief) {
   double sum = 0;
   int count = 0;
@@ -451,12 +459,10 @@ void Stepper::record_status_changes(Time now, std::size_t i) {
   const AutopilotStatus& last = state.last_status;
   if (status.mode != last.mode)
     record_event(now, i, "mode", std::string(name_of(status.mode)));
-  if (status.trigger != last.trigger || status.reaction != last.reaction)
-    record_event(
-        now, i, "failsafe",
-        status.trigger == FailsafeTrigger::kNone
-            ? std::string("over")
-            : fmt::format("{}: {}", name_of(status.trigger), name_of(status.reaction)));
+  // A reaction without a trigger is no failsafe: somebody else flies it.
+  const bool acts = status.trigger != FailsafeTrigger::kNone;
+  if (status.trigger != last.trigger || (acts && status.reaction != last.reaction))
+    record_event(now, i, "failsafe", acts ? failsafe_text(status) : "over");
   record_sensor_changes(now, i);
   if (status.refusals > last.refusals)
     if (auto text =

@@ -85,6 +85,14 @@ void Stepper::obey(Time now, const Command& command) {
           run.refuse(now, done.error().text());
       });
     }
+    void operator()(const HandBackCommand& c) const {
+      with_aircraft(c.aircraft, [&](std::size_t i) {
+        if (!run.states_[i].active)
+          return run.refuse(now, fmt::format("{} takes no part.", c.aircraft));
+        if (auto done = run.world_.entities[i].vehicle->hand_back(now); !done)
+          run.refuse(now, fmt::format("{}: {}", c.aircraft, done.error().text()));
+      });
+    }
     void operator()(const WindCommand& c) const {
       run.world_.wind->set_added({c.added.x(), c.added.y(), 0});
     }

@@ -107,6 +107,7 @@ TEST(CommandText, SaysEveryCommand) {
   EXPECT_EQ(rejected.number, 3u);
   EXPECT_EQ(rejected.station, "base");
   EXPECT_EQ(parsed<RemoveCommand>("remove b").aircraft, "b");
+  EXPECT_EQ(parsed<HandBackCommand>("hand-back b").aircraft, "b");
   const auto both = parsed<FlightChangeCommand>("flight a speed 18 height 150");
   EXPECT_EQ(both.aircraft, "a");
   EXPECT_EQ(both.altitude_agl, 150);

@@ -30,8 +30,17 @@ const Time kDuplicateWindow = Time::from_seconds(5);
 const Time kOneAgain = Time::from_seconds(10);  // of a clock that only goes forth
 const Time kFreshComplaint = Time::from_seconds(4);
 const Time kAltitudePeriod = Time::from_seconds(0.5);
-constexpr double kAltitudeStep = 0.5;  // demanded anew at once [m]
-constexpr double kAirspeedStep = 0.3;  // [m/s]
+constexpr double kAltitudeStep = 0.5;             // demanded anew at once [m]
+constexpr double kAirspeedStep = 0.3;             // [m/s]
+const Time kRateWindow = Time::from_seconds(5);   // of positions
+const Time kHomePeriod = Time::from_seconds(10);  // asked for while it is not known
+const Time kAbsence = Time::from_seconds(10);     // then it is said that nobody is there
+const Time kOtherAlone = Time::from_seconds(3);   // a vehicle of another number
+constexpr int kOtherClockAnswers = 3;             // in a row
+// A position that is further from where the last one leads has jumped.
+constexpr double kJumpDistance = 50;             // and what it flies in a second [m]
+constexpr double kJumpSpeed = 20;                // and so much more for each second [m/s]
+const Time kJumpWindow = Time::from_seconds(5);  // after more nobody knows
 
 // Telemetry that is asked for: the message, and its rate over the rate of the motion.
 struct Stream {
@@ -47,6 +56,7 @@ constexpr Stream kStreams[] = {
     {mavlink::kFacts<mavlink::ExtendedSysState>.id, 2},
     {mavlink::kFacts<mavlink::MissionCurrent>.id, 1},
     {mavlink::kFacts<mavlink::SystemTime>.id, 1},
+    {mavlink::kFacts<mavlink::HomePosition>.id, 0.5},
 };
 
 bool is_vehicle(const mavlink::Heartbeat& heartbeat) {
@@ -80,7 +90,8 @@ AutopilotClient::AutopilotClient(const AutopilotClientOptions& options,
       frame_(frame),
       telemetry_(frame),
       commands_(options.system),
-      fences_(options.system) {}
+      fences_(options.system),
+      set_ups_(options.system) {}
 
 void AutopilotClient::close(Channel channel) {
   channels_.erase(channel);
@@ -91,6 +102,10 @@ void AutopilotClient::close(Channel channel) {
 
 void AutopilotClient::report_change(Kind kind, std::string text) {
   reports_.emplace_back(LinkChange{kind, std::move(text)});
+}
+
+void AutopilotClient::report_event(const char* kind, std::string text) {
+  reports_.emplace_back(OutsideEvent{kind, std::move(text)});
 }
 
 // What a frame of the vehicle's autopilot is for this end.
@@ -104,19 +119,13 @@ struct AutopilotClient::Handler {
     self.hear_heartbeat(m, from, now);
   }
   void operator()(const mavlink::GlobalPositionInt& m) const {
-    self.hear_clock(from_ms(m.time_boot_ms), now);
-    self.position_ = now;
-    if (auto motion = self.telemetry_.handle(m, now, self.clock_))
-      self.reports_.emplace_back(*motion);
+    self.hear_position(m, now);
   }
   void operator()(const mavlink::SystemTime& m) const {
     self.hear_clock(from_ms(m.time_boot_ms), now);
   }
   void operator()(const mavlink::Timesync& m) const {
-    if (m.tc1 != 0) {
-      self.clock_.round_trip(Time::from_ns(m.ts1), Time::from_ns(m.tc1), now);
-      return;
-    }
+    if (m.tc1 != 0) return self.hear_answer(m, now);
     mavlink::Timesync answer;
     answer.tc1 = now.ns();
     answer.ts1 = m.ts1;
@@ -124,7 +133,10 @@ struct AutopilotClient::Handler {
   }
   void operator()(const mavlink::AutopilotVersion& m) const { self.hear_identity(m); }
   void operator()(const mavlink::Statustext& m) const { self.hear_text(m, now); }
-  void operator()(const mavlink::CommandAck& m) const { self.commands_.handle(m, now); }
+  void operator()(const mavlink::CommandAck& m) const {
+    self.commands_.handle(m, now);
+    self.set_ups_.handle(m, now);
+  }
   void operator()(const mavlink::ParamValue& m) const { self.commands_.handle(m); }
   void operator()(const mavlink::MissionRequest& m) const {
     self.commands_.handle(m, from, now, out);
@@ -180,16 +192,18 @@ void AutopilotClient::receive(const mavlink::Frame& frame, Channel from, Time no
   using namespace mavlink;  // NOLINT: a list of messages
   dispatch<mavlink::Heartbeat, GlobalPositionInt, Attitude, VfrHud, Wind, WindCov,
            GpsRawInt, SysStatus, ExtendedSysState, HomePosition, SystemTime, Timesync,
-           AutopilotVersion, Statustext, CommandAck, ParamValue, MissionRequest,
-           MissionRequestInt, MissionAck, MissionCurrent>(frame,
-                                                          Handler{*this, from, now, out});
+           EkfStatusReport, EstimatorStatus, AutopilotVersion, Statustext, CommandAck,
+           ParamValue, MissionRequest, MissionRequestInt, MissionAck, MissionCurrent>(
+      frame, Handler{*this, from, now, out});
 }
 
 void AutopilotClient::hear_heartbeat(const mavlink::Heartbeat& heartbeat, Channel from,
                                      Time now) {
   if (!is_vehicle(heartbeat)) return;
   telemetry_.handle(heartbeat);
-  heard_ = now;
+  commands_.report(telemetry_.condition());
+  commands_.set_bytewise(telemetry_.make() == mavlink::Make::kPx4);
+  heard_ = heartbeat_ = now;
   channel_ = from;
   if (!up_) {
     come_up(fmt::format("{}, {}", name_of(telemetry_.make()),
@@ -214,12 +228,43 @@ void AutopilotClient::come_up(const std::string& text) {
   report_change(Kind::kUp, was_up_ ? "heard again: " + text : "heard: " + text);
   was_up_ = true;
   condition_due_ = Time();
+  // While nobody heard it its clock may have been set.
+  clock_.forget();
+  motion_.reset();
+  positions_.clear();
+}
+
+// Said once for each number, when the vehicle itself is not there.
+void AutopilotClient::receive_other(const mavlink::Frame& frame, Time now) {
+  if (up_ || frame.component() != kAutopilotComponent) return;
+  mavlink::dispatch<mavlink::Heartbeat>(frame, [&](const mavlink::Heartbeat& m) {
+    if (!is_vehicle(m)) return;
+    if (!other_since_) other_since_ = now;
+    if (now - *other_since_ < kOtherAlone || !others_.insert(frame.system()).second)
+      return;
+    absence_said_ = true;
+    report_change(
+        Kind::kMismatch,
+        fmt::format("a vehicle with system id {} is heard, {} is expected; it is "
+                    "not commanded",
+                    frame.system(), options_.system));
+  });
+}
+
+void AutopilotClient::say_absence(Time now) {
+  if (!begun_) begun_ = now;
+  if (was_up_ || absence_said_ || now - *begun_ < kAbsence) return;
+  absence_said_ = true;
+  report_event(
+      "not-heard",
+      fmt::format("nothing is heard of the vehicle with system id {}", options_.system));
 }
 
 void AutopilotClient::go_down(const std::string& why) {
   up_ = false;
   commands_.abandon("the link is down");
   fences_.abandon("the link is down");
+  set_ups_.abandon("the link is down");
   report_change(Kind::kDown, why);
 }
 
@@ -229,7 +274,8 @@ void AutopilotClient::set_up(Time now) {
   position_ = now;
   airspeed_.reset();
   altitude_.reset();
-  const auto ask = [&](mavlink::CommandLong what) { commands_.add({0, {what}}); };
+  home_due_ = now + kHomePeriod;
+  const auto ask = [&](mavlink::CommandLong what) { set_ups_.add({0, {what}}); };
   for (const Stream& stream : kStreams)
     ask(command(
         kSetMessageInterval, static_cast<float>(stream.message),
@@ -242,6 +288,10 @@ void AutopilotClient::set_up(Time now) {
                                  ? mavlink::kFacts<mavlink::Wind>.id
                                  : mavlink::kFacts<mavlink::WindCov>.id;
   ask(command(kSetMessageInterval, static_cast<float>(wind), 1e6F));
+  const std::uint32_t estimator = telemetry_.make() == mavlink::Make::kArduPilot
+                                      ? mavlink::kFacts<mavlink::EkfStatusReport>.id
+                                      : mavlink::kFacts<mavlink::EstimatorStatus>.id;
+  ask(command(kSetMessageInterval, static_cast<float>(estimator), 1e6F));
 }
 
 void AutopilotClient::hear_clock(Time boot, Time now) {
@@ -258,6 +308,8 @@ void AutopilotClient::hear_clock(Time boot, Time now) {
       mismatched_ = false;
       commands_.abandon("the vehicle has rebooted");
       fences_.abandon("the vehicle has rebooted");
+      set_ups_.abandon("the vehicle has rebooted");
+      motion_.reset();
       report_change(Kind::kRebooted, fmt::format("its clock went back from {:.1f} to "
                                                  "{:.1f} s",
                                                  boot_->seconds(), boot.seconds()));
@@ -267,7 +319,109 @@ void AutopilotClient::hear_clock(Time boot, Time now) {
   }
   if (ambiguous_ && now - *rebooted_ > kOneAgain) ambiguous_ = false;
   boot_ = boot;
-  clock_.hear(boot, now);
+  const Time ahead = clock_.hear(boot, now);
+  if (ahead == Time()) return;
+  clock_set_at_ = now;
+  report_event("clock-set",
+               fmt::format("its clock was set ahead by {:.1f} s", ahead.seconds()));
+}
+
+void AutopilotClient::hear_answer(const mavlink::Timesync& answer, Time now) {
+  const Time sent = Time::from_ns(answer.ts1), there = Time::from_ns(answer.tc1);
+  if (clock_.round_trip(sent, there, now) != ClockAlignment::Answer::kOtherClock) {
+    other_clock_ = 0;
+    return;
+  }
+  if (++other_clock_ < kOtherClockAnswers || std::exchange(other_clock_said_, true))
+    return;
+  report_event("other-clock",
+               "it answers TIMESYNC by another clock than its telemetry's; the fastest "
+               "messages align it instead");
+}
+
+void AutopilotClient::hear_position(const mavlink::GlobalPositionInt& position,
+                                    Time now) {
+  hear_clock(from_ms(position.time_boot_ms), now);
+  position_ = now;
+  positions_.push_back(now);
+  while (now - positions_.front() > kRateWindow) positions_.pop_front();
+  const auto motion = telemetry_.handle(position, now, clock_);
+  if (!motion) return;
+  watch_place(*motion, now);
+  reports_.emplace_back(*motion);
+}
+
+// Whether it jumps, and whether it is where it is to begin.
+void AutopilotClient::watch_place(const VehicleMotion& motion, Time now) {
+  // By dead reckoning it drifts, and jumps when satellites are back.
+  const bool known = telemetry_.condition().position;
+  if (motion_ && known && known_) {
+    const double dt = (motion.time - motion_->time).seconds();
+    const Vec3 off = motion.p_N - motion_->p_N - dt * motion_->v_N;
+    const double limit =
+        kJumpDistance + motion.v_N.norm() + kJumpSpeed * std::max(dt, 0.0);
+    if (motion.time - motion_->time < kJumpWindow && off.norm() > limit) {
+      jump_at_ = now;
+      report_event("position-jumped", fmt::format("its position jumped by {:.0f} m in "
+                                                  "{:.1f} s",
+                                                  off.norm(), dt));
+    }
+  }
+  known_ = known;
+  motion_ = motion;
+  // On the ground it is an item of the check before take-off.
+  const VehicleCondition& condition = telemetry_.condition();
+  if (commanded_ || !options_.start || condition.on_ground) {
+    misplaced_ = false;
+    return;
+  }
+  const std::string why = misplaced(motion.p_N, *options_.start, false);
+  if (!why.empty() && !misplaced_)
+    report_event("wrong-place", why + "; it is not commanded");
+  misplaced_ = !why.empty();
+}
+
+PreflightResult AutopilotClient::check(Time now) const {
+  PreflightInputs in;
+  in.type = telemetry_.type();
+  in.hovers = options_.hovers;
+  in.start = options_.start;
+  in.quality = telemetry_.quality();
+  in.origin = telemetry_.at_origin();
+  if (motion_) {
+    in.position = motion_->p_N;
+    in.position_age = (position_ - motion_->time).seconds();
+  }
+  const double window = (now - std::max(set_up_, now - kRateWindow)).seconds();
+  in.position_rate = window > 0 ? static_cast<double>(positions_.size()) / window : 0;
+  in.since_position = positions_.empty() ? 1e9 : (now - position_).seconds();
+  if (jump_at_) in.since_jump = (now - *jump_at_).seconds();
+  if (clock_set_at_) in.since_clock = (now - *clock_set_at_).seconds();
+  in.home = telemetry_.home();
+  in.since_heartbeat = (now - heartbeat_).seconds();
+  in.round_trip = clock_.shortest_round_trip();
+  in.charge = telemetry_.charge();
+  in.emergency = telemetry_.condition().emergency;
+  return check_preflight(in);
+}
+
+// Whether a request may go out; if not, its answer is given. While the same items fail
+// the text stays the same, whatever numbers are in it.
+bool AutopilotClient::admits(std::uint32_t number, const VehicleRequest& request,
+                             Time now) {
+  const auto* arming = std::get_if<ArmRequest>(&request);
+  const bool starts = std::holds_alternative<TakeOffRequest>(request) ||
+                      (arming != nullptr && arming->arm && !arming->force);
+  if (!starts) return true;
+  PreflightResult result = check(now);
+  if (result.failed == 0) {
+    failed_ = 0;
+    return true;
+  }
+  if (std::exchange(failed_, result.failed) != result.failed)
+    failed_text_ = "check before take-off: " + std::move(result.text);
+  refuse(number, RequestAnswer::Outcome::kDenied, failed_text_);
+  return false;
 }
 
 void AutopilotClient::hear_identity(const mavlink::AutopilotVersion& version) {
@@ -316,11 +470,7 @@ void AutopilotClient::request(std::uint32_t number, const VehicleRequest& reques
   if (!up_) return refuse(number, RequestAnswer::Outcome::kNoAnswer, "the link is down");
   if (!ours())
     return refuse(number, RequestAnswer::Outcome::kDenied,
-                  "it is not the vehicle expected");
-  if (const auto* bank = std::get_if<BankSetpoint>(&request))
-    return send_bank(*bank, now, out);
-  if (const auto* track = std::get_if<TrackSetpoint>(&request))
-    return send_track(*track, out);
+                  {});  // said already, as events
   if (const auto* obstacles = std::get_if<ObstacleDistances>(&request)) {
     ++feeds_.obstacles;
     return out.send(*channel_, coded(*obstacles, now));
@@ -331,6 +481,12 @@ void AutopilotClient::request(std::uint32_t number, const VehicleRequest& reques
   }
   if (const auto* fence = std::get_if<FenceUpload>(&request))
     return request_fence(number, *fence);
+  if (!placed()) return refuse(number, RequestAnswer::Outcome::kDenied, {});
+  if (const auto* bank = std::get_if<BankSetpoint>(&request))
+    return send_bank(*bank, now, out);
+  if (const auto* track = std::get_if<TrackSetpoint>(&request))
+    return send_track(*track, out);
+  if (!admits(number, request, now)) return;
   const RequestTarget target{telemetry_.make(), telemetry_.hovers(),
                              telemetry_.home_msl().value_or(0)};
   std::vector<RequestStep> steps = steps_of(request, target, frame_);
@@ -421,6 +577,7 @@ void AutopilotClient::report_condition(Time now) {
 }
 
 void AutopilotClient::step(Time now, Outbox& out) {
+  say_absence(now);
   if (up_ && now - heard_ > options_.silence)
     go_down(fmt::format("nothing heard for {:.1f} s", (now - heard_).seconds()));
   if (now >= heartbeat_due_) {
@@ -445,6 +602,13 @@ void AutopilotClient::step(Time now, Outbox& out) {
   }
   // It answers but says nothing of its motion: what was asked for was lost.
   if (now - position_ > kDuplicateWindow && now - set_up_ > kDuplicateWindow) set_up(now);
+  if (!telemetry_.home() && now >= home_due_) {
+    home_due_ = now + kHomePeriod;
+    set_ups_.add(
+        {0,
+         {command(kRequestMessage,
+                  static_cast<float>(mavlink::kFacts<mavlink::HomePosition>.id))}});
+  }
   step_requests(now, out);
   report_condition(now);
 }
@@ -452,7 +616,10 @@ void AutopilotClient::step(Time now, Outbox& out) {
 void AutopilotClient::step_requests(Time now, Outbox& out) {
   commands_.step(now, *channel_, out);
   fences_.step(now, *channel_, out);
+  set_ups_.step(now, *channel_, out);
   std::vector<RequestAnswer> answers = commands_.take_answers();
+  for (const RequestAnswer& answer : answers)
+    commanded_ = commanded_ || answer.outcome == RequestAnswer::Outcome::kAccepted;
   for (RequestAnswer& answer : fences_.take_answers()) {
     const bool taken = answer.outcome == RequestAnswer::Outcome::kAccepted;
     ++(taken ? feeds_.fences : feeds_.fences_refused);

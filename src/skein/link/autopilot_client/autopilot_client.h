@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -28,7 +29,9 @@ struct AutopilotClientOptions {
   bool hovers = false;
   double rate = 10;                      ///< of its motion [Hz]
   Time silence = Time::from_seconds(3);  ///< then its link is down
-  std::int64_t unix_ns = 0;              ///< since 1970, at time 0 of this end's clock
+  /// Where it is to be before it is first commanded; none: anywhere.
+  std::optional<StartArea> start = std::nullopt;
+  std::int64_t unix_ns = 0;  ///< since 1970, at time 0 of this end's clock
 };
 
 /// The far end of a link to one vehicle with an autopilot of ArduPilot, PX4 or a make
@@ -44,7 +47,14 @@ struct AutopilotClientOptions {
 ///   - a reboot (the vehicle's clock goes back): reported, set up anew;
 ///   - another vehicle under its number: reported once; one of another airframe is not
 ///     commanded; of two at once the first counts, and by one channel, where nobody can
-///     tell them apart, neither is commanded.
+///     tell them apart, neither is commanded;
+///   - a vehicle of another number in its place, or none at all: reported once;
+///   - a clock that answers are given by and telemetry is not, or that is set: reported,
+///     aligned again;
+///   - a position that jumps: reported;
+///   - a vehicle that is not where it is to begin: it is not commanded, and is said once;
+///   - a take-off, or arming: denied while its check fails (check_preflight), with the
+///     items that fail.
 class AutopilotClient {
  public:
   AutopilotClient(const AutopilotClientOptions& options, const geo::LocalFrame& frame);
@@ -57,6 +67,10 @@ class AutopilotClient {
 
   /// Takes in a frame of its vehicle; passes over those of others.
   void receive(const mavlink::Frame& frame, Channel from, Time now, Outbox& out);
+
+  /// Takes in a frame of a vehicle that nobody here expects, heard where this one is to
+  /// be.
+  void receive_other(const mavlink::Frame& frame, Time now);
 
   /// Puts a request to the vehicle.
   /// @param number  comes back with its answer; 0: no answer is wanted.
@@ -86,6 +100,13 @@ class AutopilotClient {
   bool accepts(const mavlink::Frame& frame, Channel from, Time now);
   void hear_heartbeat(const mavlink::Heartbeat& heartbeat, Channel from, Time now);
   void hear_clock(Time boot, Time now);
+  void hear_answer(const mavlink::Timesync& answer, Time now);
+  void hear_position(const mavlink::GlobalPositionInt& position, Time now);
+  void watch_place(const VehicleMotion& motion, Time now);
+  void report_event(const char* kind, std::string text);
+  PreflightResult check(Time now) const;
+  bool admits(std::uint32_t number, const VehicleRequest& request, Time now);
+  void say_absence(Time now);
   void hear_text(const mavlink::Statustext& text, Time now);
   void hear_identity(const mavlink::AutopilotVersion& version);
   void come_up(const std::string& text);
@@ -99,19 +120,38 @@ class AutopilotClient {
   void refuse(std::uint32_t number, RequestAnswer::Outcome outcome, std::string why);
   void step_requests(Time now, Outbox& out);
   bool ours() const { return !mismatched_ && !ambiguous_; }
+  // In flight: it is where it is to be when it is first commanded.
+  bool placed() const {
+    return commanded_ || !options_.start || telemetry_.condition().on_ground ||
+           (motion_ && !misplaced_);
+  }
 
   AutopilotClientOptions options_;
   geo::LocalFrame frame_;
   Telemetry telemetry_;
   ClockAlignment clock_;
   CommandSender commands_;
-  CommandSender fences_;  // beside them: commands do not wait for a long fence
+  CommandSender fences_;   // beside them: commands do not wait for a long fence
+  CommandSender set_ups_;  // the same, for what is asked for when the link comes up
   FeedHealth feeds_;
   mavlink::SequenceWatch sequence_;
   std::set<Channel> channels_;
   std::optional<Channel> channel_;  // by which it is heard
   bool up_ = false, mismatched_ = false, duplicate_ = false;
   bool ambiguous_ = false;  // two answer by one channel
+  bool misplaced_ = false;  // not where it is to begin
+  bool commanded_ = false;  // it has accepted something, so it began where it was to
+  bool other_clock_said_ = false, absence_said_ = false;
+  int other_clock_ = 0;  // answers in a row by another clock than the telemetry's
+  std::set<std::uint8_t> others_;        // numbers heard in its place
+  std::optional<Time> other_since_;      // the first of them
+  std::optional<Time> begun_;            // the first step
+  std::optional<VehicleMotion> motion_;  // the last
+  bool known_ = false;                   // it was one that the vehicle is sure of
+  std::optional<Time> jump_at_, clock_set_at_;
+  std::deque<Time> positions_;  // when they came in, those of late
+  std::uint32_t failed_ = 0;    // items of the check, and what was said of them
+  std::string failed_text_;
   bool was_up_ = false;
   Time heard_;                // last
   Time position_;             // last
@@ -122,6 +162,7 @@ class AutopilotClient {
   std::uint64_t capabilities_ = 0;
   std::uint32_t version_ = 0;
   Time heartbeat_due_, timesync_due_, condition_due_, altitude_due_, airspeed_due_;
+  Time heartbeat_, home_due_;
   VehicleCondition reported_;
   std::optional<double> airspeed_;  // demanded last
   std::optional<double> altitude_;  // the same

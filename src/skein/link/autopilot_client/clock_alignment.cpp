@@ -1,46 +1,59 @@
 #include "skein/link/autopilot_client/clock_alignment.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skein::autopilot_client {
 namespace {
 
-constexpr double kDrift = 100e-6;             // of two quartz clocks, with a margin
-const Time kMemory = Time::from_seconds(30);  // of the shortest round trip
+const Time kMemory = Time::from_seconds(30);  // of round trips, and of each window
 const Time kMaxRoundTrip = Time::from_seconds(10);
 const Time kMaxClock = Time::from_seconds(4e9);  // 127 years; what is more is no clock
+const Time kClockMargin = Time::from_seconds(1);
+const Time kMinJump = Time::from_seconds(10);  // less may be a queue that has emptied
 
 }  // namespace
 
-void ClockAlignment::hear(Time boot, Time now) {
-  const Time offset = now - boot;
-  if (offset_) {
-    const Time drifted =
-        *offset_ + Time::from_seconds(kDrift * (now - offset_at_).seconds());
-    if (offset >= drifted) return;
-  }
-  offset_ = offset;
-  offset_at_ = now;
+std::optional<Time> ClockAlignment::fastest() const {
+  if (current_ && previous_) return std::min(*current_, *previous_);
+  return current_ ? current_ : previous_;
 }
 
-void ClockAlignment::round_trip(Time sent, Time boot, Time now) {
-  if (sent > now || sent < now - kMaxRoundTrip) return;
-  if (boot > kMaxClock || kMaxClock + boot < Time()) return;
-  const Time took = now - sent;
-  const Time centred = Time::from_ns((sent.ns() + now.ns()) / 2) - boot;
-  // Another clock than that of its telemetry, such as the time of day.
-  if (offset_ &&
-      (centred > *offset_ + kMaxRoundTrip || *offset_ > centred + kMaxRoundTrip))
-    return;
-  if (shortest_ && took > *shortest_ && now - shortest_at_ < kMemory) return;
+Time ClockAlignment::hear(Time boot, Time now) {
+  const Time offset = now - boot;
+  Time ahead;
+  if (const auto known = fastest(); known && offset < *known - kMinJump) {
+    ahead = *known - offset;
+    forget();
+  }
+  if (now >= window_end_) {
+    if (current_) previous_ = std::exchange(current_, std::nullopt);
+    window_end_ = now + kMemory;
+  }
+  current_ = current_ ? std::min(*current_, offset) : offset;
+  return ahead;
+}
+
+ClockAlignment::Answer ClockAlignment::round_trip(Time sent, Time boot, Time now) {
+  if (sent > now || sent < now - kMaxRoundTrip) return Answer::kImpossible;
+  if (boot > kMaxClock || kMaxClock + boot < Time()) return Answer::kImpossible;
+  const auto known = fastest();
+  if (!known) return Answer::kTooEarly;
+  const Time took = now - sent, half = Time::from_ns(took.ns() / 2);
+  const Time centred = now - half - boot;
+  if (centred > *known + half + kClockMargin || centred < *known - took - kClockMargin)
+    return Answer::kOtherClock;
+  if (shortest_ && took > *shortest_ && now - shortest_at_ < kMemory)
+    return Answer::kTaken;
   shortest_ = took;
   shortest_at_ = now;
   centred_ = centred;
+  return Answer::kTaken;
 }
 
 Time ClockAlignment::to_here(Time boot, Time now) const {
   Time offset = now - boot;
-  if (offset_) offset = std::min(offset, *offset_);
+  if (const auto known = fastest()) offset = std::min(offset, *known);
   if (centred_) offset = std::min(offset, *centred_);
   return std::min(boot + offset, now);
 }

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
+
+#include "skein/link/autopilot_client/request_steps.h"
 
 namespace skein::autopilot_client {
 namespace {
@@ -54,7 +57,84 @@ std::string text_of_result(std::uint8_t result) {
   }
 }
 
+// How people call a command.
+std::string name_of_command(std::uint16_t command) {
+  switch (command) {
+    case kNavReturn:
+      return "return";
+    case kNavLand:
+      return "land";
+    case kNavTakeOff:
+      return "take-off";
+    case kDoSetMode:
+      return "mode";
+    case kDoChangeSpeed:
+      return "speed";
+    case kDoReposition:
+      return "go to";
+    case kDoSetMissionCurrent:
+      return "mission item";
+    case kMissionStart:
+      return "mission";
+    case kArmDisarm:
+      return "arm";
+    default:
+      return fmt::format("command {}", command);
+  }
+}
+
+// MAV_PARAM_TYPE: from 1, an unsigned byte, to 8, a signed integer of 64 bits.
+bool is_integer(std::uint8_t type) {
+  return type >= 1 && type <= 8;
+}
+
+double decoded(const mavlink::ParamValue& value, bool bytewise) {
+  if (!bytewise || !is_integer(value.param_type)) return value.param_value;
+  constexpr std::uint8_t kUnsigned32 = 5;
+  const auto bits = std::bit_cast<std::uint32_t>(value.param_value);
+  return value.param_type == kUnsigned32
+             ? static_cast<double>(bits)
+             : static_cast<double>(static_cast<std::int32_t>(bits));
+}
+
+float coded(const SetParameter& change, bool bytewise) {
+  if (!bytewise || !is_integer(change.type)) return change.value;
+  return std::bit_cast<float>(static_cast<std::int32_t>(std::lround(change.value)));
+}
+
+// Whether a value of that type is what was asked for.
+bool is_value(double stored, double asked, std::uint8_t type) {
+  if (is_integer(type)) return std::abs(stored - asked) < 1;
+  return std::abs(stored - asked) <= 1e-4 * std::max(1.0, std::abs(asked));
+}
+
 }  // namespace
+
+// Of the step under way.
+std::string CommandSender::name() const {
+  const NumberedRequest& request = waiting_.front();
+  const RequestStep& step = request.steps[place_];
+  if (const auto* mode = std::get_if<AwaitMode>(&step)) return "mode " + mode->name;
+  if (std::holds_alternative<AwaitArmed>(step)) return "arm";
+  if (const auto* change = std::get_if<SetParameter>(&step))
+    return "parameter " + change->name;
+  if (const auto* mission = std::get_if<SendMission>(&step))
+    return mission->type == mavlink::MissionType::kFence ? "fence" : "mission";
+  const auto* after = place_ + 1 < request.steps.size()
+                          ? std::get_if<AwaitMode>(&request.steps[place_ + 1])
+                          : nullptr;
+  if (const auto* plain = std::get_if<CommandLong>(&step);
+      plain && plain->command == kArmDisarm && plain->param1 < 0.5F)
+    return "disarm";
+  const std::string command = name_of_command(command_in(step).value_or(0));
+  return after ? command + " " + after->name : command;
+}
+
+void CommandSender::report(const VehicleCondition& condition) {
+  mode_ = condition.mode;
+  mode_name_ = condition.mode_name;
+  armed_ = condition.armed;
+}
 
 bool CommandSender::add(NumberedRequest request) {
   if (request.steps.empty()) {
@@ -77,7 +157,8 @@ void CommandSender::step_done() {
 
 void CommandSender::fail(Outcome outcome, std::string text) {
   if (waiting_.front().number != 0)
-    answers_.push_back({waiting_.front().number, outcome, std::move(text)});
+    answers_.push_back({waiting_.front().number, outcome,
+                        fmt::format("{}: {}", name(), std::move(text))});
   waiting_.pop_front();
   place_ = 0;
   begin_step();
@@ -88,6 +169,8 @@ void CommandSender::begin_step() {
   item_.reset();
   tries_ = 0;
   rejected_ = false;
+  kept_.reset();
+  kept_times_ = 0;
 }
 
 void CommandSender::abandon(const std::string& why) {
@@ -121,15 +204,20 @@ void CommandSender::handle(const mavlink::CommandAck& ack, Time now) {
 }
 
 void CommandSender::handle(const mavlink::ParamValue& value) {
-  const auto* change = current<SetParameter>();
-  if (!change || !sent_ || mavlink::text_of(value.param_id) != change->name) return;
-  // Somebody else's question may bring the old one.
-  constexpr std::uint8_t kReal32 = 9;
-  const float tolerance = 1e-4F * std::max(1.F, std::abs(change->value));
-  if (change->type == kReal32 &&
-      !(std::abs(value.param_value - change->value) <= tolerance))
-    return;
-  step_done();
+  if (!current<SetParameter>() || !sent_) return;
+  auto& change = std::get<SetParameter>(waiting_.front().steps[place_]);
+  if (mavlink::text_of(value.param_id) != change.name) return;
+  const double stored = decoded(value, bytewise_);
+  if (is_value(stored, change.value, value.param_type)) return step_done();
+  change.type = value.param_type;
+  // Somebody else's question may bring the old one; what it says again and again after it
+  // was asked for another is what it keeps.
+  kept_times_ = kept_ == stored ? kept_times_ + 1 : 1;
+  kept_ = stored;
+  constexpr int kKept = 3;
+  if (kept_times_ >= kKept && tries_ >= kKept)
+    fail(Outcome::kDenied,
+         fmt::format("{} was requested, the vehicle keeps {}", change.value, stored));
 }
 
 void CommandSender::handle(const mavlink::MissionRequest& request, Channel channel,
@@ -163,9 +251,7 @@ void CommandSender::handle(const mavlink::MissionAck& ack) {
   const auto* mission = current<SendMission>();
   if (!mission || !sent_ || ack.mission_type != number_of(*mission)) return;
   if (ack.type == 0) return step_done();
-  const bool fence = mission->type == mavlink::MissionType::kFence;
-  fail(Outcome::kDenied,
-       fmt::format("{} refused: result {}", fence ? "fence" : "mission", ack.type));
+  fail(Outcome::kDenied, fmt::format("refused: result {}", ack.type));
 }
 
 void CommandSender::send(Time now, Channel channel, Outbox& out) {
@@ -190,7 +276,7 @@ void CommandSender::send(Time now, Channel channel, Outbox& out) {
       set.target_system = self.system_;
       set.target_component = self.component_;
       mavlink::set_text(set.param_id, change.name);
-      set.param_value = change.value;
+      set.param_value = coded(change, self.bytewise_);
       set.param_type = change.type;
       out.send(channel, set);
     }
@@ -205,6 +291,9 @@ void CommandSender::send(Time now, Channel channel, Outbox& out) {
       count.mission_type = number_of(mission);
       out.send(channel, count);
     }
+    // Nothing is sent to wait.
+    void operator()(const AwaitMode&) const {}
+    void operator()(const AwaitArmed&) const {}
   };
   const Time patient = patient_until_;
   std::visit(Sender{*this, now, channel, out}, waiting_.front().steps[place_]);
@@ -213,8 +302,22 @@ void CommandSender::send(Time now, Channel channel, Outbox& out) {
   if (tries_ < 255) ++tries_;
 }
 
+// What was accepted shows in what the vehicle says of itself, or it is said that not.
+void CommandSender::await(Time now) {
+  const auto* mode = current<AwaitMode>();
+  if (mode ? mode_ == mode->mode : armed_) return step_done();
+  if (!sent_) {
+    sent_ = now;
+    patient_until_ = now + kPatienceFor;
+  }
+  if (now < patient_until_) return;
+  fail(Outcome::kDenied, mode ? fmt::format("accepted, but it stays in {}", mode_name_)
+                              : std::string("accepted, but it stays disarmed"));
+}
+
 void CommandSender::step(Time now, Channel channel, Outbox& out) {
   if (waiting_.empty()) return;
+  if (current<AwaitMode>() || current<AwaitArmed>()) return await(now);
   if (!sent_) {
     patient_until_ = now + kPatienceFor;
     return send(now, channel, out);

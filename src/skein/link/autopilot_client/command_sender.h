@@ -16,12 +16,23 @@
 
 namespace skein::autopilot_client {
 
-/// Changes a parameter; done when the vehicle says the new value.
+/// Changes a parameter; done when the vehicle says the new value, as far as a value of
+/// the type that it has there can be that: integers are rounded or cut. When it keeps
+/// another value, that is its answer.
 struct SetParameter {
   std::string name;
   float value = 0;
   std::uint8_t type = 9;  ///< MAV_PARAM_TYPE
 };
+
+/// Waits until the vehicle says that it is in the mode that it has accepted.
+struct AwaitMode {
+  VehicleMode mode = VehicleMode::kGuided;
+  std::string name;  ///< as its make calls it
+};
+
+/// The same, that it is armed.
+struct AwaitArmed {};
 
 /// Replaces the stored mission, or another list that is loaded up the same way.
 struct SendMission {
@@ -30,8 +41,8 @@ struct SendMission {
 };
 
 /// One part of a request: what is sent until it is answered.
-using RequestStep =
-    std::variant<mavlink::CommandLong, mavlink::CommandInt, SetParameter, SendMission>;
+using RequestStep = std::variant<mavlink::CommandLong, mavlink::CommandInt, SetParameter,
+                                 SendMission, AwaitMode, AwaitArmed>;
 
 /// A request with its steps, one after the other; the first that fails ends it.
 struct NumberedRequest {
@@ -45,6 +56,9 @@ struct NumberedRequest {
 /// confirmation, for six seconds; what is in progress, and a mission of which items are
 /// asked for, may take longer. All of the vehicle's protocols are played by the vehicle's
 /// own rules of repetition, so that answers which come twice do no harm.
+///
+/// The text of an answer that is no acceptance begins with the step that failed: "arm:
+/// denied", "mode GUIDED: not answered in 12 tries".
 class CommandSender {
  public:
   explicit CommandSender(std::uint8_t system, std::uint8_t component = 1)
@@ -55,6 +69,10 @@ class CommandSender {
 
   void handle(const mavlink::CommandAck& ack, Time now);
   void handle(const mavlink::ParamValue& value);
+  /// The vehicle has said how it is.
+  void report(const VehicleCondition& condition);
+  /// Whether integers are the bits of parameters' values (PX4); else they are numbers.
+  void set_bytewise(bool bytewise) { bytewise_ = bytewise; }
   void handle(const mavlink::MissionRequest& request, vehicle_services::Channel channel,
               Time now, vehicle_services::Outbox& out);
   void handle(const mavlink::MissionRequestInt& request,
@@ -77,6 +95,8 @@ class CommandSender {
                  vehicle_services::Channel channel, Time now,
                  vehicle_services::Outbox& out);
   void begin_step();
+  void await(Time now);
+  std::string name() const;
   void step_done();
   void fail(RequestAnswer::Outcome outcome, std::string text);
   template <class T>
@@ -92,6 +112,11 @@ class CommandSender {
   std::uint8_t tries_ = 0;
   bool rejected_ = false;              // for now, as the vehicle said
   std::optional<std::uint16_t> item_;  // of a mission: sent last
+  std::optional<double> kept_;         // of a parameter: another value than was asked for
+  int kept_times_ = 0;
+  VehicleMode mode_ = VehicleMode::kOther;
+  std::string mode_name_;
+  bool armed_ = false, bytewise_ = false;
   std::vector<RequestAnswer> answers_;
 };
 

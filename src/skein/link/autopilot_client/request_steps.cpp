@@ -52,6 +52,7 @@ class StepMaker {
       climb.param7 = static_cast<float>(request.altitude_msl);
     }
     append(steps, (*this)(ArmRequest{}));
+    steps.emplace_back(AwaitArmed{});
     steps.emplace_back(climb);
     return steps;
   }
@@ -123,11 +124,15 @@ class StepMaker {
   Steps mode(VehicleMode wanted) const {
     const auto number = mavlink::custom_mode_of(target_.make, target_.hovers, wanted);
     if (!number) return {};
+    const AwaitMode taken{wanted,
+                          mavlink::mode_name(target_.make, target_.hovers, *number)};
     if (target_.make == Make::kPx4)
       return {command(kDoSetMode, mavlink::kModeCustom,
                       static_cast<float>(*number >> 16 & 0xff),
-                      static_cast<float>(*number >> 24))};
-    return {command(kDoSetMode, mavlink::kModeCustom, static_cast<float>(*number))};
+                      static_cast<float>(*number >> 24)),
+              taken};
+    return {command(kDoSetMode, mavlink::kModeCustom, static_cast<float>(*number)),
+            taken};
   }
 
   void put_place(CommandInt& to, const Vec2& p, double altitude_msl) const {

@@ -14,13 +14,14 @@ constexpr double kMaxTurn = 1000;   // [rad/s]
 constexpr double kMaxSpeed = 1000;  // [m/s], and of a direction [deg]
 constexpr std::int32_t kPole = 900'000'000, kHalfTurn = 1'800'000'000;  // [1e-7 deg]
 
-constexpr std::uint8_t kFix3D = 3;
 constexpr std::uint8_t kLandedOnGround = 1;  // MAV_LANDED_STATE
 constexpr std::uint8_t kStatusCritical = 5;  // MAV_STATE
 constexpr std::uint8_t kStatusEmergency = 6;
 constexpr std::uint32_t kPreArmCheck = 0x1000'0000;  // MAV_SYS_STATUS
 constexpr std::uint16_t kUnknown16 = 0xffff;
-constexpr double kTypicalPositionSd = 2;       // of a receiver that does not say [m]
+constexpr std::uint8_t kUnknown8 = 0xff;
+constexpr double kTypicalPositionSd = 2;  // of a receiver that does not say [m]
+constexpr double kDeadReckoning = 2;      // growth of its deviation [m/s]: unknown wind
 constexpr double kTypicalVerticalShare = 1.5;  // the same, of its altitude, over that
 
 // MAV_TYPE of what flies on rotors: quadrotor, coaxial, helicopter, hexa-, octo-,
@@ -34,6 +35,13 @@ bool rotorcraft(std::uint8_t type) {
 template <class... Numbers>
 bool sound(double limit, Numbers... numbers) {
   return ((std::abs(static_cast<double>(numbers)) <= limit) && ...);
+}
+
+// Until its estimator has an origin it says zeros, or nearly.
+bool about_zero(std::int32_t latitude, std::int32_t longitude) {
+  constexpr std::int64_t kNear = 10'000;  // [1e-7 deg]: 110 m
+  return std::abs(std::int64_t{latitude}) <= kNear &&
+         std::abs(std::int64_t{longitude}) <= kNear;
 }
 
 }  // namespace
@@ -80,7 +88,16 @@ void Telemetry::handle(const mavlink::WindCov& m) {
 }
 
 void Telemetry::handle(const mavlink::GpsRawInt& m) {
-  fixed_ = m.fix_type >= kFix3D;
+  quality_.receiver = true;
+  quality_.fix = m.fix_type;
+  quality_.satellites.reset();
+  if (m.satellites_visible != kUnknown8) quality_.satellites = m.satellites_visible;
+  quality_.hdop.reset();
+  if (m.eph != kUnknown16) quality_.hdop = m.eph / 100.0;
+  quality_.sd.reset();
+  if (m.h_acc > 0) quality_.sd = m.h_acc / 1000.0;
+  constexpr std::uint8_t kFix3D = 3;
+  if (m.fix_type < kFix3D) return;  // what it says of accuracy is of no fix
   motion_.position_sd = m.h_acc > 0 ? m.h_acc / 1000.0 / std::sqrt(2.0)
                         : m.eph != kUnknown16 && m.eph > 0
                             ? m.eph / 100.0 * kTypicalPositionSd
@@ -94,7 +111,10 @@ void Telemetry::handle(const mavlink::GpsRawInt& m) {
 void Telemetry::handle(const mavlink::SysStatus& m) {
   if ((m.onboard_control_sensors_present & kPreArmCheck) != 0)
     condition_.ready = (m.onboard_control_sensors_health & kPreArmCheck) != 0;
-  if (m.battery_remaining >= 0) condition_.charge = m.battery_remaining / 100.0;
+  if (m.battery_remaining >= 0) {
+    condition_.charge = m.battery_remaining / 100.0;
+    charge_ = condition_.charge;
+  }
   if (m.voltage_battery != kUnknown16) condition_.voltage = m.voltage_battery / 1000.0;
   if (m.current_battery >= 0) condition_.current = m.current_battery / 100.0;
 }
@@ -105,23 +125,42 @@ void Telemetry::handle(const mavlink::ExtendedSysState& m) {
 }
 
 void Telemetry::handle(const mavlink::HomePosition& m) {
+  if (std::abs(std::int64_t{m.latitude}) > kPole ||
+      std::abs(std::int64_t{m.longitude}) > kHalfTurn)
+    return;
+  if (about_zero(m.latitude, m.longitude)) return;
   home_msl_ = m.altitude / 1000.0;
+  const Vec2 place = frame_.to_plane(m.latitude * 1e-7, m.longitude * 1e-7);
+  home_ = Vec3(place.x(), place.y(), -*home_msl_);
+}
+
+void Telemetry::handle(const mavlink::EkfStatusReport& m) {
+  quality_.estimator = m.flags;
+}
+
+void Telemetry::handle(const mavlink::EstimatorStatus& m) {
+  quality_.estimator = m.flags;
 }
 
 std::optional<VehicleMotion> Telemetry::handle(const mavlink::GlobalPositionInt& m,
                                                Time now, const ClockAlignment& clock) {
   if (std::abs(std::int64_t{m.lat}) > kPole || std::abs(std::int64_t{m.lon}) > kHalfTurn)
     return std::nullopt;
-  // Until its estimator has an origin it says zeros, or nearly.
-  const bool known = fixed_ && (std::abs(m.lat) > 10000 || std::abs(m.lon) > 10000);
-  condition_.position = known;
-  if (!known) return std::nullopt;
+  at_origin_ = about_zero(m.lat, m.lon);
+  condition_.position = !at_origin_ && knows_position(quality_);
+  if (condition_.position) {
+    known_ = true;
+    known_at_ = now;
+  }
+  if (!known_ || at_origin_) return std::nullopt;
   const Vec2 place = frame_.to_plane(m.lat * 1e-7, m.lon * 1e-7);
   motion_.time =
       clock.to_here(Time::from_ns(std::int64_t{m.time_boot_ms} * 1'000'000), now);
   motion_.p_N = {place.x(), place.y(), -m.alt / 1000.0};
   motion_.v_N = {m.vx / 100.0, m.vy / 100.0, m.vz / 100.0};
-  return motion_;
+  VehicleMotion said = motion_;
+  said.position_sd += kDeadReckoning * (now - known_at_).seconds();
+  return said;
 }
 
 }  // namespace skein::autopilot_client

@@ -9,6 +9,7 @@
 #include "skein/data/vehicle_report.h"
 #include "skein/geo/local_frame.h"
 #include "skein/link/autopilot_client/clock_alignment.h"
+#include "skein/link/autopilot_client/preflight_check.h"
 #include "skein/link/mavlink/flight_modes.h"
 #include "skein/link/mavlink/messages.h"
 
@@ -31,7 +32,11 @@ class Telemetry {
   void handle(const mavlink::SysStatus& m);
   void handle(const mavlink::ExtendedSysState& m);
   void handle(const mavlink::HomePosition& m);
-  /// @returns  the motion; nothing while the vehicle does not know where it is.
+  void handle(const mavlink::EkfStatusReport& m);
+  void handle(const mavlink::EstimatorStatus& m);
+  /// @returns  the motion; nothing until the vehicle knows where it is. When it no longer
+  ///           does by satellites, its motion is that of its dead reckoning, with a
+  ///           deviation that grows, and its condition says that it has no position.
   std::optional<VehicleMotion> handle(const mavlink::GlobalPositionInt& m, Time now,
                                       const ClockAlignment& clock);
 
@@ -43,6 +48,13 @@ class Telemetry {
   std::uint32_t custom_mode() const { return custom_mode_; }
   /// Where the vehicle calls home, which relative altitudes count from [m].
   std::optional<double> home_msl() const { return home_msl_; }
+  /// The same as a place; none while it does not say.
+  const std::optional<Vec3>& home() const { return home_; }
+  const PositionQuality& quality() const { return quality_; }
+  /// What is left of its battery, from 0 to 1; none while it does not say.
+  const std::optional<double>& charge() const { return charge_; }
+  /// Its last position was about latitude and longitude 0: its estimator has no origin.
+  bool at_origin() const { return at_origin_; }
 
  private:
   geo::LocalFrame frame_;
@@ -53,7 +65,12 @@ class Telemetry {
   std::uint32_t custom_mode_ = 0;
   std::optional<double> home_msl_;
   bool landed_known_ = false;
-  bool fixed_ = false;  // its receiver has a fix
+  std::optional<Vec3> home_;
+  std::optional<double> charge_;
+  PositionQuality quality_;
+  bool at_origin_ = false;
+  bool known_ = false;  // it has known where it is
+  Time known_at_;       // last
 };
 
 }  // namespace skein::autopilot_client

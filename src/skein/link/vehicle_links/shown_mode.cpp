@@ -47,11 +47,10 @@ void ShownMode::hear(Time now, const AutopilotStatus& status, double altitude_ms
     if (!standing_since_) standing_since_ = now;
     if (now - *standing_since_ >= kDisarmsAfter) armed_ = flew_ = false;
   }
-  // Up, a take-off becomes what follows it: multirotors of all makes then hold or are
-  // guided, wings circle.
+  // Up, a take-off becomes what follows it.
   if (asked_ == VehicleMode::kTakeOff && !status.on_ground &&
       altitude_msl >= take_off_altitude_ - kArrival)
-    asked_ = VehicleMode::kHold;
+    asked_ = stays_guided_ ? VehicleMode::kGuided : VehicleMode::kHold;
   mode_ = commanded_ ? asked_
                      : (status.on_ground ? VehicleMode::kHold : VehicleMode::kGuided);
   if (status.mode == FlightMode::kManual) mode_ = VehicleMode::kManual;

@@ -16,8 +16,12 @@ namespace skein::vehicle_links {
 /// it, while it flies, and until it has stood for ten seconds after a flight.
 class ShownMode {
  public:
-  /// @param commanded  flown by what ground stations ask for; else guided by its agent.
-  explicit ShownMode(bool commanded) : commanded_(commanded) {}
+  /// @param commanded     flown by what ground stations ask for; else guided by its
+  /// agent.
+  /// @param stays_guided  a take-off is a part of guided flight, which goes on after it,
+  ///                      as with ArduPilot's multirotors; others hold where it ended.
+  ShownMode(bool commanded, bool stays_guided)
+      : commanded_(commanded), stays_guided_(stays_guided) {}
 
   void hear(const VehicleRequest& request);
   void hear(Time now, const AutopilotStatus& status, double altitude_msl);
@@ -28,7 +32,7 @@ class ShownMode {
   bool armed() const { return armed_; }
 
  private:
-  bool commanded_;
+  bool commanded_, stays_guided_;
   VehicleMode asked_ = VehicleMode::kHold;
   VehicleMode mode_ = VehicleMode::kHold;
   bool armed_ = false, flew_ = false;

@@ -15,11 +15,12 @@ void TrafficFeed::hear(const EntityRecord& record) {
 void TrafficFeed::hear(const EstimateRecord& record) {
   const auto known = by_entity_.find(record.id);
   if (known != by_entity_.end())
-    where_.push_back({known->second, record.nav.p_N, record.nav.v_N});
+    where_.push_back({Time(), known->second, record.nav.p_N, record.nav.v_N});
 }
 
-void TrafficFeed::publish() {
+void TrafficFeed::publish(Time time) {
   if (where_.empty()) return;
+  for (SimulatedTraffic& each : where_) each.time = time;
   links_.update_traffic(where_);
   where_.clear();
 }

@@ -20,8 +20,8 @@ class TrafficFeed {
 
   void hear(const EntityRecord& record);
   void hear(const EstimateRecord& record);
-  /// A step of the run is done.
-  void publish();
+  /// The step of the run at `time` is done.
+  void publish(Time time);
 
  private:
   VehicleLinks& links_;

@@ -28,8 +28,8 @@ VehicleFeed::VehicleFeed(VehicleLinks& links, std::vector<ShownAircraft> aircraf
                          const std::vector<std::string>& traffic)
     : links_(links), traffic_(links, traffic) {
   for (ShownAircraft& each : aircraft) {
-    const bool commanded = each.commanded;
-    shown_.push_back({std::move(each), {}, ShownMode(commanded), {}, {}, false});
+    const ShownMode mode(each.commanded, each.ardupilot && each.hovers);
+    shown_.push_back({std::move(each), {}, mode, {}, {}, false});
   }
 }
 
@@ -118,7 +118,7 @@ Result<void> VehicleFeed::step_done(Time time) {
     links_.update(shown.aircraft.server, shown.snapshot);
   }
   links_.set_simulated(time);
-  traffic_.publish();
+  traffic_.publish(time);
   return {};
 }
 

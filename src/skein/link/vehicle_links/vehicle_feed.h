@@ -20,6 +20,8 @@ struct ShownAircraft {
   std::string name;        ///< as the scenario has it
   std::size_t server = 0;  ///< its number among those of the links
   bool hovers = false;
+  /// Shown as an ArduPilot's; else as a PX4's.
+  bool ardupilot = true;
   /// Its agent flies what ground stations ask for; else it has tasks of its own, and what
   /// they ask for becomes one.
   bool commanded = false;

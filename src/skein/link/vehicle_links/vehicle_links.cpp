@@ -169,6 +169,7 @@ Result<std::size_t> VehicleLinks::add(const LinkedVehicle& vehicle) {
     return Error{ErrorCode::kBadInput, transport::text_of(vehicle.endpoint.address),
                  fmt::format("two vehicles have number {} there.", vehicle.client.system),
                  "Give each a system of its own."};
+  by_run_ = by_run_ || vehicle.clock_ns;
   LinkedVehicle timed = vehicle;
   timed.client.unix_ns = unix_ns() - now().ns();
   vehicles_.push_back(std::make_unique<Vehicle>(
@@ -429,22 +430,29 @@ void VehicleLinks::take_traffic(Time now) {
     traffic_taken_.swap(traffic_now_);
   }
   const auto first = static_cast<std::uint32_t>(vehicles_.size());
-  for (const SimulatedTraffic& each : traffic_taken_)
+  for (const SimulatedTraffic& each : traffic_taken_) {
+    const Time then = by_run_ ? each.time : now;
     traffic_->moved(first + static_cast<std::uint32_t>(each.number),
-                    {now, each.p_N, each.v_N}, now);
+                    {then, each.p_N, each.v_N}, then);
+  }
   traffic_taken_.clear();
+}
+
+Time VehicleLinks::traffic_time(Time wall, const Vehicle& vehicle) const {
+  if (!by_run_) return wall;
+  return vehicle.clock_ns ? now(vehicle) : Time::from_ns(simulated_ns_);
 }
 
 // What a vehicle has said, to those who are near it, then to the simulation.
 void VehicleLinks::hand_over(Vehicle& vehicle, Time now) {
   std::vector<VehicleReport> reports = vehicle.client.take_reports();
-  const Time there = this->now(vehicle);
+  const Time there = this->now(vehicle), then = traffic_time(now, vehicle);
   for (const VehicleReport& report : reports)
     if (const auto* motion = std::get_if<VehicleMotion>(&report))
       traffic_->moved(vehicle.number,
-                      {now - (there - motion->time), motion->p_N, motion->v_N,
+                      {then - (there - motion->time), motion->p_N, motion->v_N,
                        vehicle.client.channel()},
-                      now);
+                      then);
   vehicle.mailbox->put(std::move(reports));
 }
 
@@ -526,6 +534,9 @@ void VehicleLinks::received(transport::ChannelId channel,
         Vehicle& vehicle = *found->second;
         vehicle.client.receive(frame, channel, now(vehicle), out_);
         hand_over(vehicle, arrived);
+      } else {
+        for (const auto& [system, vehicle] : vehicles)
+          vehicle->client.receive_other(frame, now(*vehicle));
       }
     }
     forward(channel, frame);

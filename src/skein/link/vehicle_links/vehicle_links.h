@@ -48,6 +48,7 @@ struct LinkedVehicle {
 
 /// Where a simulated aircraft is.
 struct SimulatedTraffic {
+  Time time = {};          ///< when, by the run's clock
   std::size_t number = 0;  ///< by add_traffic()
   Vec3 p_N = Vec3::Zero();
   Vec3 v_N = Vec3::Zero();  ///< over ground [m/s]
@@ -64,7 +65,8 @@ struct SimulatedTraffic {
 ///
 /// A vehicle that goes by the run's clock (LinkedVehicle::clock_ns) may move much faster
 /// than the wall clock: before its port hands out what has come, the thread here has read
-/// all that is there and sent all that is due.
+/// all that is there and sent all that is due. Where there is such a vehicle, all are
+/// told of one another by the run's clock.
 ///
 /// Use: add vehicles and stations, take ports, start(). Ports may be used until this
 /// ends, and before start(): then nothing comes.
@@ -158,6 +160,8 @@ class VehicleLinks final : public transport::ChannelListener {
   void send_requests(Vehicle& vehicle, Time now);
   void hand_over(Vehicle& vehicle, Time now);
   void take_traffic(Time now);
+  // Of what is told of other aircraft.
+  Time traffic_time(Time wall, const Vehicle& vehicle) const;
   void forward(transport::ChannelId from, const mavlink::Frame& frame);
   void send(transport::ChannelId channel, std::span<const std::byte> bytes);
   void send_gathered(transport::ChannelId channel, Peer& peer);
@@ -175,6 +179,7 @@ class VehicleLinks final : public transport::ChannelListener {
   std::vector<std::unique_ptr<Vehicle>> vehicles_;
   std::vector<std::unique_ptr<Shown>> shown_;
   std::map<std::pair<std::uint16_t, std::uint8_t>, Shown*> shown_at_;  // group, system
+  bool by_run_ = false;                     // some vehicle goes by the run's clock
   std::vector<std::string> simulated_;      // aircraft that others are told of
   std::optional<TrafficExchange> traffic_;  // once started
   std::mutex traffic_mutex_;

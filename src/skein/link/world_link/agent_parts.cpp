@@ -64,7 +64,7 @@ struct WorldFeed::Listener {
     state().nav = record.nav;
     state().status = record.status;
     state().refused = record.status.refused;
-    state().status.refused = {};
+    state().status.refused = state().status.held = {};
   }
   void operator()(const Event& event) const {
     if (event.entity != feed.self_) return;

@@ -32,7 +32,7 @@ struct Cockpit {
   void run(double seconds) {
     for (int k = 0; k < 10 * seconds; ++k) {
       now = now + Time::from_seconds(0.1);
-      director.step(now, condition, altitude, desk, events);
+      director.step(now, condition, altitude, knows_position, desk, events);
     }
   }
   void answer(Outcome outcome, const char* text = "") {
@@ -55,13 +55,14 @@ struct Cockpit {
   Desk desk;
   VehicleCondition condition;
   double altitude = 0;
+  bool knows_position = true;
   std::vector<VehicleEvent> events;
   Time now;
 };
 
 // Flies in the guided mode that was asked for.
-Cockpit guided() {
-  Cockpit c;
+Cockpit guided(bool hovers = false) {
+  Cockpit c(hovers);
   c.set(VehicleMode::kHold, "LOITER", true, false);
   c.director.fly();
   c.run(1);
@@ -107,7 +108,7 @@ TEST(FlightDirector, AsksToTakeOffAgainAndReportsADenialOnce) {
     c.run(4);
   }
   EXPECT_EQ(c.count<TakeOffRequest>(), 6u);
-  EXPECT_EQ(c.reported("arming-denied"), 1u);
+  EXPECT_EQ(c.reported("take-off-denied"), 1u);
   EXPECT_EQ(c.reported("pilot-took-over"), 0u);  // manual, but on the ground
 }
 
@@ -137,7 +138,7 @@ TEST(FlightDirector, LeavesTheFlightToAPilotUntilItIsHandedBack) {
   c.run(30);
   EXPECT_EQ(c.desk.sent.size(), before);
   EXPECT_FALSE(c.director.takes_setpoints());
-  EXPECT_EQ(c.director.taken(), VehicleMode::kStabilized);
+  EXPECT_EQ(c.director.control().holder(), ControlMonitor::Holder::kPilot);
   EXPECT_EQ(c.reported("pilot-took-over"), 1u);
   c.set(VehicleMode::kGuided, "GUIDED", true, false);
   c.run(1);
@@ -151,21 +152,72 @@ TEST(FlightDirector, LeavesAFailsafeAlone) {
   c.set(VehicleMode::kReturn, "RTL", true, false);
   c.run(30);
   EXPECT_EQ(c.desk.sent.size(), before);
-  EXPECT_EQ(c.director.taken(), VehicleMode::kReturn);
-  EXPECT_EQ(c.reported("mode-changed"), 1u);
+  EXPECT_EQ(c.director.control().holder(), ControlMonitor::Holder::kFailsafe);
+  EXPECT_EQ(c.director.control().reaction(), FailsafeReaction::kReturn);
 }
 
-TEST(FlightDirector, AsksAgainForWhatChangedWhileTheLinkWasDown) {
-  Cockpit c = guided();
+// An outage after which it is in another mode.
+Cockpit after_outage(VehicleMode mode, const char* name, bool hovers = false) {
+  Cockpit c = guided(hovers);
   c.director.hear(LinkChange{LinkChange::Kind::kDown, {}});
   c.run(30);
   EXPECT_FALSE(c.director.takes_setpoints());
-  c.set(VehicleMode::kReturn, "RTL", true, false);
+  c.set(mode, name, true, false);
   c.director.hear(LinkChange{LinkChange::Kind::kUp, {}});
-  const std::size_t before = c.count<ModeRequest>();
+  c.desk.sent.clear();
+  c.run(30);
+  return c;
+}
+
+TEST(FlightDirector, LeavesAloneWhatChangedWhileTheLinkWasDown) {
+  for (const bool hovers : {false, true})
+    for (const VehicleMode mode :
+         {VehicleMode::kReturn, VehicleMode::kHold, VehicleMode::kLand,
+          VehicleMode::kMission, VehicleMode::kStabilized, VehicleMode::kOther}) {
+      const Cockpit c = after_outage(mode, "ANOTHER", hovers);
+      EXPECT_TRUE(c.desk.sent.empty()) << name_of(mode);
+      EXPECT_TRUE(c.director.control().is_taken()) << name_of(mode);
+      EXPECT_FALSE(c.director.takes_setpoints()) << name_of(mode);
+    }
+}
+
+TEST(FlightDirector, GoesOnAfterAnOutageInWhichNothingChanged) {
+  const Cockpit c = after_outage(VehicleMode::kGuided, "GUIDED");
+  EXPECT_TRUE(c.director.takes_setpoints());
+  EXPECT_TRUE(c.director.reached());
+}
+
+TEST(FlightDirector, TakesUpAgainWhatIsHandedBackByACommand) {
+  Cockpit c = after_outage(VehicleMode::kReturn, "RTL");
+  ASSERT_TRUE(c.director.hand_back(c.events).ok());
   c.run(1);
-  EXPECT_EQ(c.count<ModeRequest>(), before + 1);
-  EXPECT_FALSE(c.director.taken());
+  EXPECT_EQ(c.count<ModeRequest>(), 1u);
+  EXPECT_TRUE(c.director.takes_setpoints());
+  EXPECT_EQ(c.reported("handed-back"), 1u);
+  EXPECT_FALSE(c.director.hand_back(c.events).ok()) << "its agent has it";
+  c.set(VehicleMode::kGuided, "GUIDED", true, false);
+  c.run(1);
+  EXPECT_TRUE(c.director.reached());
+}
+
+TEST(FlightDirector, DoesNotTakeItFromSticksByACommand) {
+  Cockpit c = guided();
+  c.set(VehicleMode::kStabilized, "FBWA", true, false);
+  c.run(1);
+  EXPECT_FALSE(c.director.hand_back(c.events).ok());
+  EXPECT_TRUE(c.director.control().is_taken());
+}
+
+TEST(FlightDirector, AsksForNothingInTheAirWhereItIsNotKnown) {
+  Cockpit c = guided();
+  c.desk.sent.clear();
+  c.knows_position = false;
+  c.director.land({Vec2(0, 0), 0, {}});
+  c.run(10);
+  EXPECT_TRUE(c.desk.sent.empty());
+  c.knows_position = true;
+  c.run(1);
+  EXPECT_EQ(c.count<LandRequest>(), 1u);
 }
 
 TEST(FlightDirector, NeverTakesItFromAPilotWhoFliesAlready) {
@@ -174,7 +226,8 @@ TEST(FlightDirector, NeverTakesItFromAPilotWhoFliesAlready) {
   c.director.fly();
   c.run(30);
   EXPECT_TRUE(c.desk.sent.empty());
-  EXPECT_EQ(c.director.taken(), VehicleMode::kManual);
+  EXPECT_EQ(c.director.control().mode(), VehicleMode::kManual);
+  EXPECT_TRUE(c.director.control().is_taken());
 }
 
 TEST(FlightDirector, LandsAndDisarms) {

@@ -89,6 +89,7 @@ struct Flight {
     vehicle->begin(world, Time::from_seconds(-0.1));
     script.says.emplace_back(LinkChange{LinkChange::Kind::kUp, {}});
     condition.on_ground = false;
+    condition.position = true;
   }
 
   void says_it_is_at(double north) {
@@ -233,6 +234,78 @@ TEST(RealVehicle, NoFlyZonesInForceBecomeItsFenceAndWalls) {
   ASSERT_EQ(fences.size(), 2u);
   EXPECT_TRUE(fences.back().zones.empty());
   EXPECT_GT(flight.script.all<ObstacleDistances>().back().distances[18], 1e9);
+}
+
+// In the air, guided, and led.
+Flight led() {
+  Flight flight;
+  flight.condition.armed = true;
+  flight.condition.mode = VehicleMode::kGuided;
+  flight.condition.mode_name = "GUIDED";
+  flight.run(1);
+  AutopilotCommand command;
+  command.guidance = HoldPosition{{50, 0}};
+  flight.vehicle->command(command);
+  flight.run(2);
+  EXPECT_FALSE(flight.script.all<TrackSetpoint>().empty());
+  flight.script.hears.clear();
+  return flight;
+}
+
+TEST(RealVehicle, AFailsafeOfItsOwnIsAFailsafeWithItsReason) {
+  Flight flight = led();
+  flight.script.says.emplace_back(VehicleText{4, "Battery 1 is critical 9.41V"});
+  flight.condition.mode = VehicleMode::kReturn;
+  flight.condition.mode_name = "RTL";
+  flight.run(5);
+  const AutopilotStatus status = flight.vehicle->status();
+  EXPECT_EQ(status.trigger, FailsafeTrigger::kBattery);
+  EXPECT_EQ(status.reaction, FailsafeReaction::kReturn);
+  EXPECT_NE(status.held.find("Battery 1 is critical"), std::string::npos);
+  EXPECT_FALSE(obeys_orders(status));
+  EXPECT_TRUE(flight.script.hears.empty()) << "nobody commands it";
+  ASSERT_TRUE(flight.vehicle->hand_back(flight.now).ok());
+  flight.run(1);
+  EXPECT_EQ(flight.script.all<ModeRequest>().size(), 1u);
+  EXPECT_TRUE(flight.vehicle->status().held.empty());
+}
+
+TEST(RealVehicle, WithoutAPositionItIsLedNowhere) {
+  Flight flight = led();
+  flight.condition.position = false;
+  flight.run(10);
+  EXPECT_TRUE(flight.script.hears.empty());
+  EXPECT_FALSE(obeys_orders(flight.vehicle->status()));
+  EXPECT_EQ(flight.vehicle->status().trigger, FailsafeTrigger::kNone);
+  flight.condition.position = true;
+  flight.run(3);
+  EXPECT_FALSE(flight.script.all<TrackSetpoint>().empty());
+  EXPECT_TRUE(obeys_orders(flight.vehicle->status()));
+  std::vector<VehicleEvent> events;
+  flight.vehicle->take_events(events);
+  const auto count = [&](const char* kind) {
+    return std::ranges::count(events, kind, &VehicleEvent::kind);
+  };
+  EXPECT_EQ(count("position-lost"), 1);
+  EXPECT_EQ(count("position-back"), 1);
+}
+
+// What it said meanwhile did not arrive: what counts is how it is afterwards.
+TEST(RealVehicle, WhatItSaysOverALinkThatFailsIsLost) {
+  Flight flight = led();
+  ASSERT_TRUE(flight.vehicle->set_fault("link", true, flight.now).ok());
+  flight.script.says.emplace_back(VehicleText{4, "Battery 1 is critical 9.41V"});
+  flight.condition.mode = VehicleMode::kReturn;
+  flight.condition.mode_name = "RTL";
+  flight.run(10);
+  EXPECT_FALSE(flight.vehicle->link_works());
+  ASSERT_TRUE(flight.vehicle->set_fault("link", false, flight.now).ok());
+  flight.run(10);
+  EXPECT_TRUE(flight.vehicle->link_works());
+  EXPECT_TRUE(flight.script.hears.empty()) << "its return is not undone";
+  const AutopilotStatus status = flight.vehicle->status();
+  EXPECT_EQ(status.trigger, FailsafeTrigger::kUnknown);
+  EXPECT_NE(status.held.find("since its link was down"), std::string::npos);
 }
 
 // Is somewhere, and knows it.

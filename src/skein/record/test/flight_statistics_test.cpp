@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "skein/record/separation_statistics.h"
 
 namespace skein::record::flight_statistics_test {
@@ -39,6 +42,46 @@ TEST(FlightStatistics, WhereNobodyLandsNothingIsSaidAboutIt) {
   FlightStatistics statistics;
   statistics.truth(Time(), EntityId{1}, at(0, 100));
   EXPECT_FALSE(figures(statistics).contains("aircraft_landed"));
+}
+
+// Circles at 20 m/s; its estimates are 1 m north of it.
+VehicleState circling(double t) {
+  VehicleState state;
+  state.p_N = Vec3(100 * std::sin(t / 5), -100 * std::cos(t / 5), -50);
+  state.v_N = Vec3(20 * std::cos(t / 5), 20 * std::sin(t / 5), 0);
+  return state;
+}
+
+TEST(FlightStatistics, ComparesEstimatesWithTheTruthAtTheirOwnTimes) {
+  FlightStatistics statistics;
+  for (int k = 0; k < 100; ++k) {
+    const double t = 0.5 * k;
+    statistics.truth(Time::from_seconds(t), EntityId{1}, circling(t));
+    const double then = std::max(t - 0.37, 0.0);  // as old as telemetry is
+    const Vec3 believed = circling(then).p_N + Vec3(1, 0, 0);
+    statistics.estimate(Time::from_seconds(then), EntityId{1}, believed, {});
+  }
+  // The cubic is off by h^4 / 384 times the fourth derivative, 0.03 mm.
+  EXPECT_NEAR(figures(statistics).at("position_error_rms_m"), 1, 1e-3);
+}
+
+TEST(FlightStatistics, OfWhoNeverSaysAnythingThereIsNoErrorOfPosition) {
+  FlightStatistics statistics;
+  for (int k = 0; k < 100; ++k) {
+    statistics.truth(Time::from_seconds(k), EntityId{1}, circling(k));
+    statistics.estimate(Time(), EntityId{1}, circling(0).p_N, {});
+  }
+  EXPECT_FALSE(figures(statistics).contains("position_error_rms_m"));
+}
+
+TEST(FlightStatistics, CountsProgramsThatEndedAndThoseThatAreGone) {
+  FlightStatistics statistics;
+  EXPECT_FALSE(figures(statistics).contains("outside_programs_ended"));
+  statistics.event({Time(), EntityId{1}, "autopilot-ended", "ended with 1"});
+  statistics.event({Time(), EntityId{2}, "flight-model-ended", "ended with 1"});
+  statistics.event({Time(), EntityId{1}, "autopilot-restarted", "again"});
+  EXPECT_EQ(figures(statistics).at("outside_programs_ended"), 2);
+  EXPECT_EQ(figures(statistics).at("outside_programs_gone"), 1);
 }
 
 // @param jumps  it is off the ground for one moment in five.

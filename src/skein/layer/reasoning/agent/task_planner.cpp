@@ -42,20 +42,25 @@ bool TaskPlanner::receive(const AgentInput& in, AgentOutput& out) {
   bool other = false;
   for (const Message& message : in.inbox) {
     if (const auto* task = std::get_if<Task>(&message.content))
-      other = take(*task, in.now, out) || other;
+      other = take(*task, in, out) || other;
     else if (const auto* change = std::get_if<TaskChange>(&message.content))
       obey(*change, in.now, out);
     else if (const auto* flight = std::get_if<FlightChange>(&message.content))
-      obey(*flight, in.now, out);
+      obey(*flight, in, out);
   }
   return other;
 }
 
-bool TaskPlanner::take(const Task& task, Time now, AgentOutput& out) {
+bool TaskPlanner::take(const Task& task, const AgentInput& in, AgentOutput& out) {
   if (order_ > 0 && task.number <= order_) return false;
   order_ = number_ = task.number;
   assigned_.reset();
-  if (fly(task.what, now, out)) return true;
+  if (in.autopilot.held.empty()) {
+    if (fly(task.what, in.now, out)) return true;
+  } else {
+    kind_ = kind_of(task.what);
+    refuse(in.now, in.autopilot.held, out);
+  }
   Message report;
   report.to = station_;
   report.content = TaskReport{number_, state_, refused_, task.what};
@@ -83,17 +88,21 @@ bool TaskPlanner::fly(const TaskKind& what, Time now, AgentOutput& out) {
   kind_ = kind_of(what);
   auto made = make_(what, context_);
   if (!made) {
-    executor_.reset();
-    state_ = TaskState::kImpossible;
-    refused_ = made.error().message;
-    out.events.push_back(
-        {now, context_.self, "task-refused", fmt::format("{}: {}", kind_, refused_)});
+    refuse(now, made.error().message, out);
     return false;
   }
   executor_ = std::move(made).value();
   state_ = TaskState::kFlying;
   out.events.push_back({now, context_.self, "task", named()});
   return true;
+}
+
+void TaskPlanner::refuse(Time now, std::string_view why, AgentOutput& out) {
+  executor_.reset();
+  state_ = TaskState::kImpossible;
+  refused_ = why;
+  out.events.push_back(
+      {now, context_.self, "task-refused", fmt::format("{}: {}", kind_, refused_)});
 }
 
 std::string TaskPlanner::named() const {
@@ -119,10 +128,14 @@ void TaskPlanner::obey(const TaskChange& change, Time now, AgentOutput& out) {
   }
 }
 
-void TaskPlanner::obey(const FlightChange& change, Time now, AgentOutput& out) {
+void TaskPlanner::obey(const FlightChange& change, const AgentInput& in,
+                       AgentOutput& out) {
   if (change.number > flight_change_) {
     flight_change_ = change.number;
-    if (const std::string why = set_flight(context_, change); !why.empty()) {
+    const Time now = in.now;
+    const std::string why = in.autopilot.held.empty() ? set_flight(context_, change)
+                                                      : std::string(in.autopilot.held);
+    if (!why.empty()) {
       out.events.push_back({now, context_.self, "flight-refused", why});
     } else {
       out.events.push_back(

@@ -64,11 +64,12 @@ class TaskPlanner final : public PlannerOfChain {
   std::optional<double> altitude_msl() const;
 
  private:
-  bool take(const Task& task, Time now, AgentOutput& out);
+  bool take(const Task& task, const AgentInput& in, AgentOutput& out);
+  void refuse(Time now, std::string_view why, AgentOutput& out);
   bool fly(const TaskKind& what, Time now, AgentOutput& out);
   std::string named() const;
   void obey(const TaskChange& change, Time now, AgentOutput& out);
-  void obey(const FlightChange& change, Time now, AgentOutput& out);
+  void obey(const FlightChange& change, const AgentInput& in, AgentOutput& out);
   void begin_again(const FlightChange& change, Time now, AgentOutput& out);
   void set(TaskState state, Time now, const char* event, std::string_view why,
            AgentOutput& out);

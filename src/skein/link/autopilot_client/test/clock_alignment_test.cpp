@@ -81,5 +81,50 @@ TEST(ClockAlignment, IgnoresAnswersThatCannotBe) {
   EXPECT_EQ(clock.to_here(s(6), s(20)), s(11));
 }
 
+// The answer may come before anything that telemetry says, by whatever clock.
+TEST(ClockAlignment, TakesNoTimeOfDayWhateverComesFirst) {
+  using Answer = ClockAlignment::Answer;
+  for (const double other : {1.8e9, 5000.0, -3.0}) {
+    ClockAlignment clock;
+    EXPECT_EQ(clock.round_trip(s(9.9), s(other + 9.95), s(10)), Answer::kTooEarly);
+    clock.hear(s(5), s(10.1));
+    for (double t = 11; t < 100; t += 1) {
+      clock.hear(s(t - 5.1), s(t));
+      EXPECT_EQ(clock.round_trip(s(t - 0.1), s(other + t - 0.05), s(t)),
+                Answer::kOtherClock);
+      EXPECT_NEAR(clock.to_here(s(t - 5.1), s(t)).seconds(), t, 0.01);
+    }
+  }
+}
+
+// A radio that holds messages back for a second and a half: answers are of the same
+// clock.
+TEST(ClockAlignment, TakesAnswersOfSlowRadios) {
+  ClockAlignment clock;
+  for (double t = 10; t < 60; t += 1) {
+    clock.hear(s(t), s(t + 1.5));
+    EXPECT_EQ(clock.round_trip(s(t - 1.5), s(t), s(t + 1.5)),
+              ClockAlignment::Answer::kTaken);
+  }
+  EXPECT_NEAR(clock.to_here(s(61), s(62.5)).seconds(), 61, 0.01);
+}
+
+TEST(ClockAlignment, FollowsAClockThatIsSet) {
+  ClockAlignment clock;
+  for (double t = 10; t < 40; t += 0.1) {
+    EXPECT_EQ(clock.hear(s(t), s(t)), Time());
+    clock.round_trip(s(t - 0.02), s(t - 0.01), s(t));
+  }
+  // Ahead: at once, and it is said by how much.
+  EXPECT_NEAR(clock.hear(s(1040), s(40)).seconds(), 1000, 0.1);
+  EXPECT_NEAR(clock.to_here(s(1040), s(40)).seconds(), 40, 0.1);
+  // Back by less than a reboot would be: within a minute.
+  for (double t = 40; t < 110; t += 0.1) {
+    clock.hear(s(t + 999.2), s(t));
+    clock.round_trip(s(t - 0.02), s(t + 999.19), s(t));
+  }
+  EXPECT_NEAR(clock.to_here(s(110 + 999.2), s(110)).seconds(), 110, 0.05);
+}
+
 }  // namespace
 }  // namespace skein::autopilot_client::clock_alignment_test

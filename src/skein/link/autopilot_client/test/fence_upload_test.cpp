@@ -131,7 +131,7 @@ TEST(FenceUpload, WhatTheVehicleFindsWrongIsDenied) {
   pair.run(3);
   ASSERT_EQ(pair.answers.size(), 1u);
   EXPECT_EQ(pair.answers[0].outcome, RequestAnswer::Outcome::kDenied);
-  EXPECT_NE(pair.answers[0].text.find("fence refused"), std::string::npos);
+  EXPECT_NE(pair.answers[0].text.find("fence: refused"), std::string::npos);
   EXPECT_EQ(pair.client.feeds().fences_refused, 1u);
 }
 

@@ -53,6 +53,28 @@ TEST(Telemetry, TakesTheAltitudeForLessSureThanThePlaceWhereNothingIsStated) {
   EXPECT_NEAR(motion.altitude_sd, 3, 1e-9);
 }
 
+TEST(Telemetry, FliesOnByDeadReckoningWithoutAFix) {
+  Telemetry telemetry(geo::LocalFrame::at({47.0, 8.0, 0}).value());
+  mavlink::GpsRawInt m = receiver();
+  telemetry.handle(m);
+  mavlink::GlobalPositionInt position;
+  position.lat = 470'000'000;
+  position.lon = 80'000'000;
+  const auto said_at = [&](double t) {
+    return telemetry.handle(position, Time::from_seconds(t), ClockAlignment());
+  };
+  EXPECT_NEAR(said_at(1)->position_sd, 2, 1e-9);
+  EXPECT_TRUE(telemetry.condition().position);
+  m.fix_type = 1;
+  telemetry.handle(m);
+  EXPECT_NEAR(said_at(11)->position_sd, 2 + 20, 1e-9) << "grows by 2 m/s";
+  EXPECT_FALSE(telemetry.condition().position);
+  m.fix_type = 3;
+  telemetry.handle(m);
+  EXPECT_NEAR(said_at(12)->position_sd, 2, 1e-9);
+  EXPECT_TRUE(telemetry.condition().position);
+}
+
 TEST(Telemetry, KnowsNoPlaceBeforeAFix) {
   Telemetry telemetry(geo::LocalFrame::at({47.0, 8.0, 0}).value());
   mavlink::GpsRawInt m = receiver();

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <map>
+#include <memory>
 
 #include "skein/link/vehicle_links/mailbox.h"
 #include "skein/link/vehicle_links/test/stand_ins.h"
@@ -59,7 +61,7 @@ TEST(VehicleLinks, VehiclesAreToldOfOneAnotherAndOfSimulatedAircraft) {
     vehicles.run(100ms);
     feed.hear(near);
     feed.hear(far);
-    feed.publish();
+    feed.publish(Time::from_seconds(0.1 * k));
   }
   const auto counts = told(vehicles);
   const auto count = [&](std::size_t who, const char* of) {
@@ -81,6 +83,43 @@ TEST(VehicleLinks, VehiclesAreToldOfOneAnotherAndOfSimulatedAircraft) {
   EXPECT_TRUE(std::any_of(reports.begin(), reports.end(), [](const VehicleReport& r) {
     return std::holds_alternative<VehicleMotion>(r);
   }));
+}
+
+// A minute of simulated time in far less: reports are counted by that time.
+TEST(VehicleLinks, InLockStepTrafficGoesByTheClockOfTheRun) {
+  const auto frame = geo::LocalFrame::at({47.0, 8.0, 0}).value();
+  VehicleLinks links(frame);
+  const auto clock = std::make_shared<std::atomic<std::int64_t>>(0);
+  LinkedVehicle vehicle = linked(1, "a");
+  vehicle.clock_ns = clock;
+  ASSERT_TRUE(links.add(vehicle).ok());
+  TrafficFeed feed(links, {"wing-1"});
+  auto port = links.port(0);
+  const auto places = links.start();
+  ASSERT_TRUE(places.ok());
+  StandIns vehicles(frame, places.value().front());
+  vehicles.add(1, {0, 0});
+  feed.hear(EntityRecord{EntityId{4}, "wing-1", "aircraft"});
+  EstimateRecord near{EntityId{4}, {}, {}};
+  near.nav.p_N = {100, 100, -50};
+  std::vector<VehicleReport> reports;
+  constexpr int kSteps = 600;
+  for (int k = 0; k < kSteps; ++k) {
+    const Time now = Time::from_seconds(0.1 * k);
+    *clock = now.ns();
+    links.set_simulated(now);
+    vehicles.step();
+    port->receive(now, reports);
+    feed.hear(near);
+    feed.publish(now);
+  }
+  vehicles.run(200ms);
+  const auto counts = told(vehicles);
+  const auto found = counts.find({0, icao_address("wing-1")});
+  ASSERT_NE(found, counts.end());
+  // Twice a second of a minute; a few may come before it is heard, or be lost by UDP.
+  EXPECT_GE(found->second, 110);
+  EXPECT_LE(found->second, 121);
 }
 
 TEST(VehicleLinks, OfWhatIsGoodForAMomentOnlyTheNewestGoesOutAndAllIsCounted) {

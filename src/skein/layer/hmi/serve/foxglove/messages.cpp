@@ -315,10 +315,11 @@ std::string Messages::clock(const RunClock& clock) const {
 }
 
 std::string Messages::log(const Event& event, const std::string& whose) const {
-  const bool is_bad = event.kind == "failure" || event.kind == "failsafe" ||
-                      event.kind == "accident" ||
-                      event.kind.find("refused") != std::string::npos ||
-                      event.kind.find("lost") != std::string::npos;
+  const bool is_bad =
+      event.kind == "failure" || event.kind == "failsafe" || event.kind == "accident" ||
+      event.kind.find("refused") != std::string::npos ||
+      event.kind.find("denied") != std::string::npos || event.kind.starts_with("not-") ||
+      event.kind.starts_with("wrong-") || event.kind.find("lost") != std::string::npos;
   return dumped({{"timestamp", stamp(since_1970_ns(event.time))},
                  {"level", is_bad ? kWarning : kInfo},
                  {"message", event.kind + (event.text.empty() ? "" : ": " + event.text)},

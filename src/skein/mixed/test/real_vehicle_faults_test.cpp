@@ -1,0 +1,344 @@
+// A real vehicle with something wrong, flown by a run: what is said, and where it ends.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "skein/mixed/test/fake_run.h"
+
+namespace skein::mixed::fake {
+namespace {
+
+class RealVehicleFaults : public testing::TestWithParam<Make> {
+ protected:
+  bool ardupilot() const { return GetParam() == Make::kArduPilot; }
+
+  // Flies one with these faults; it never leaves the ground, and one event says why.
+  void expect_refused(const Faults& faults, const std::string& why) {
+    FakeRun run(GetParam(), faults);
+    run.run(70);
+    EXPECT_FALSE(run.fake.flew) << run.told();
+    EXPECT_FALSE(run.fake.armed);
+    EXPECT_EQ(run.count("take-off-denied", why), 1u) << run.told();
+    EXPECT_EQ(run.count("take-off-denied"), 1u) << run.told();
+    EXPECT_EQ(run.verdict(), "") << run.told();
+  }
+  // The same, and it is not even asked.
+  void expect_not_asked(const Faults& faults, const std::string& why) {
+    expect_refused(faults, why);
+    FakeRun run(GetParam(), faults);
+    run.run(40);
+    EXPECT_EQ(run.fake.commands[400], 0);
+    EXPECT_EQ(run.fake.commands[22], 0);
+  }
+  void expect_flown(const Faults& faults) {
+    FakeRun run(GetParam(), faults);
+    run.run(90);
+    EXPECT_GT(run.fake.setpoints, 300) << run.told();
+    EXPECT_GT(run.fake.furthest, 50) << run.told();
+    EXPECT_NEAR(run.fake.height(), FakeRun::kAltitude, 2) << run.told();
+    EXPECT_EQ(run.fake.take_offs, 1);
+    EXPECT_EQ(run.verdict(), "") << run.told();
+    EXPECT_EQ(run.count("take-off-denied") + run.count("request-denied") +
+                  run.count("not-commandable") + run.count("position-old"),
+              0u)
+        << run.told();
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Makes, RealVehicleFaults,
+                         testing::Values(Make::kArduPilot, Make::kPx4),
+                         [](const auto& each) {
+                           return each.param == Make::kPx4 ? "px4" : "ardupilot";
+                         });
+
+TEST_P(RealVehicleFaults, WithoutAnyIsFlown) {
+  expect_flown({});
+}
+
+TEST_P(RealVehicleFaults, WithTheTimeOfDayInItsAnswersIsFlown) {
+  expect_flown({.time_of_day = true});
+  FakeRun run(GetParam(), {.time_of_day = true});
+  run.run(60);
+  EXPECT_EQ(run.count("other-clock"), 1u) << run.told();
+}
+
+TEST_P(RealVehicleFaults, WithoutAnswersAboutTimeIsFlown) {
+  expect_flown({.no_timesync = true});
+}
+
+TEST_P(RealVehicleFaults, WhoseClockIsSetIsFlownOn) {
+  for (const double at : {4.0, 15.0, 40.0}) {
+    const Faults faults{.clock_jump_at = at, .clock_jump = 3600};
+    FakeRun run(GetParam(), faults);
+    run.run(100);
+    EXPECT_EQ(run.verdict(), "") << run.told();
+    EXPECT_EQ(run.count("clock-set"), 1u) << run.told();
+    EXPECT_EQ(run.count("position-old"), 0u) << run.told();
+    EXPECT_GT(run.fake.setpoints, 200) << run.told();
+  }
+}
+
+TEST_P(RealVehicleFaults, PositionedIndoorsIsFlownByItsEstimator) {
+  expect_flown({.no_gps_message = true});
+  expect_not_asked({.no_gps_message = true, .no_estimator_message = true},
+                   "position: nothing says how good it is");
+  expect_not_asked({.no_gps_message = true, .no_fix = true},
+                   "position: its estimator has no absolute position");
+}
+
+TEST_P(RealVehicleFaults, EachRefusalNamesTheCommandAndTheReason) {
+  expect_refused({.refuses = {22}, .refusal = "Takeoff blocked"},
+                 "take-off: denied: Takeoff blocked");
+  expect_refused({.refuses = {400}, .refusal = "Arm: Hardware safety switch"},
+                 "arm: denied: Arm: Hardware safety switch");
+  if (!ardupilot()) return;
+  expect_refused({.refuses = {176}, .refusal = "Mode change failed"},
+                 "mode GUIDED: denied: Mode change failed");
+}
+
+TEST_P(RealVehicleFaults, DeafOnesAreReported) {
+  expect_refused({.deaf = true}, "not answered in");
+}
+
+TEST_P(RealVehicleFaults, AnotherNumberIsReportedOnce) {
+  FakeRun run(GetParam(), {.system = 9});
+  run.run(60);
+  EXPECT_EQ(run.count("wrong-vehicle", "system id 9 is heard, 1 is expected"), 1u)
+      << run.told();
+  EXPECT_FALSE(run.fake.armed);
+}
+
+TEST_P(RealVehicleFaults, NobodyThereIsReportedOnce) {
+  FakeRun run(GetParam(), {.silent_at = 0, .silent_for = 1000});
+  run.run(60);
+  EXPECT_EQ(run.count("not-heard"), 1u) << run.told();
+}
+
+TEST_P(RealVehicleFaults, SomewhereElseIsNotTakenOff) {
+  expect_not_asked({.displaced = {111'000, 0, 0}}, "place: it is 11");
+  expect_not_asked({.displaced = {0, 800, 0}}, "place: it is 800 m from its start");
+  expect_not_asked({.displaced = {0, 0, -250}},
+                   "place: its altitude is 250 m above that of its start");
+  expect_not_asked({.home_displaced = {4000, 0, 0}}, "home: it is 4000 m away");
+  expect_not_asked({.home_displaced = {0, 0, -200}}, "home: it is 200 m above or below");
+  expect_not_asked({.no_home = true}, "home: not known");
+}
+
+TEST_P(RealVehicleFaults, WhatIsNotReadyIsNotTakenOff) {
+  expect_not_asked({.no_fix = true}, "position: it has no 3D fix");
+  expect_not_asked({.charge = 0.1}, "energy: its battery has 10 %");
+  expect_not_asked({.position_rate = 0.3}, "telemetry: ");
+  expect_not_asked({.position_rate = 0}, "telemetry: 0.0 positions");
+  expect_not_asked({.late = 2.5}, "link: a round trip takes 5.");
+}
+
+TEST_P(RealVehicleFaults, AnotherKindOfVehicleIsNotCommanded) {
+  for (const std::uint8_t type : {std::uint8_t{1}, std::uint8_t{10}}) {
+    FakeRun run(GetParam(), {.type = type});
+    run.run(60);
+    EXPECT_EQ(run.count("wrong-vehicle"), 1u) << run.told();
+    EXPECT_EQ(run.count("take-off-denied"), 0u) << run.told();
+    EXPECT_FALSE(run.fake.armed);
+  }
+}
+
+TEST_P(RealVehicleFaults, AModeThatIsAcceptedAndNotTakenIsReported) {
+  if (ardupilot())
+    return expect_refused({.keeps_mode = true},
+                          "mode GUIDED: accepted, but it stays in STABILIZE");
+  FakeRun run(GetParam(), {.keeps_mode = true});
+  run.run(120);
+  EXPECT_EQ(
+      run.count("request-denied", "mode OFFBOARD: accepted, but it stays in AUTO.LOITER"),
+      1u)
+      << run.told();
+  EXPECT_EQ(run.count("not-commandable"), 1u) << run.told();
+  EXPECT_EQ(run.count("not-brought-back"), 1u) << run.told();
+}
+
+TEST_P(RealVehicleFaults, WhatCannotBeCommandedInTheAirIsBroughtBack) {
+  const std::vector<Faults> all = {
+      {.ignores_setpoints = true},
+      {.climb_limit = 12},
+      {.position_jump_at = 30, .position_jump = {400, 0, 0}}};
+  for (const Faults& faults : all) {
+    FakeRun run(GetParam(), faults);
+    run.run(150);
+    EXPECT_TRUE(run.fake.flew) << run.told();
+    EXPECT_TRUE(run.fake.on_ground()) << run.told();
+    EXPECT_FALSE(run.fake.armed) << run.told();
+    EXPECT_EQ(run.count("not-commandable"), 1u) << run.told();
+    EXPECT_EQ(run.count("not-brought-back"), 0u) << run.told();
+    EXPECT_EQ(run.verdict(), "") << run.told();
+  }
+}
+
+TEST_P(RealVehicleFaults, OneThatIsDeafInTheAirIsAlarmedAbout) {
+  FakeRun run(GetParam(), {.deaf_at = 35});
+  run.run(150);
+  EXPECT_EQ(run.count("not-commandable"), 1u) << run.told();
+  EXPECT_EQ(run.count("not-brought-back", "mode RTL: not answered") +
+                run.count("not-brought-back", "mode AUTO.RTL: not answered"),
+            1u)
+      << run.told();
+}
+
+// A fault at random, and the event that names it: its kind, and a part of its text.
+struct Drawn {
+  std::string what;
+  Faults faults;
+  std::string kind, text;
+};
+
+class Draw {
+ public:
+  Draw(Make make, unsigned seed) : ardupilot_(make == Make::kArduPilot), random_(seed) {}
+
+  Drawn operator()() {
+    Drawn d;
+    Faults& f = d.faults;
+    const auto named = [&](std::string what, std::string kind, std::string text) {
+      d.what = std::move(what);
+      d.kind = std::move(kind);
+      d.text = std::move(text);
+    };
+    switch (std::uniform_int_distribution<int>(0, 23)(random_)) {
+      case 0:
+        f.late = between(1.5, 4);
+        named("late", "take-off-denied", "link: a round trip");
+        break;
+      case 1:
+        f.late = between(0, 0.4);
+        named("a little late", "", "");
+        break;
+      case 2:
+        f.time_of_day = true;
+        named("time of day", "other-clock", "");
+        break;
+      case 3:
+        f.clock_jump_at = between(3, 90);
+        f.clock_jump = between(60, 100'000);
+        named("clock set ahead", "clock-set", "");
+        break;
+      case 4:
+        f.clock_jump_at = between(3, 90);
+        f.clock_jump = -between(5, 30);
+        named("clock set back", "vehicle-rebooted", "");
+        break;
+      case 5:
+        f.displaced.head<2>() = between(600, 200'000) * geo::unit(between(0, 6.28));
+        named("far", "take-off-denied", "place: ");
+        break;
+      case 6:
+        f.displaced.z() = (chance() ? 1 : -1) * between(40, 400);
+        named("too high or low", "take-off-denied", "place: its altitude");
+        break;
+      case 7:
+        f.home_displaced.head<2>() = between(600, 20'000) * geo::unit(between(0, 6.28));
+        named("home elsewhere", "take-off-denied", "home: ");
+        break;
+      case 8:
+        f.no_home = true;
+        named("no home", "take-off-denied", "home: not known");
+        break;
+      case 9:
+        f.deaf = true;
+        named("deaf", "take-off-denied", "not answered");
+        break;
+      case 10:
+        f.deaf_at = between(25, 90);
+        named("deaf in the air", "not-commandable", "");
+        break;
+      case 11:
+        f.refuses = {400};
+        named("refuses to arm", "take-off-denied", "arm: denied");
+        break;
+      case 12:
+        f.refuses = {22};
+        named("refuses to take off", "take-off-denied", "take-off: denied");
+        break;
+      case 13:
+        f.refuses = {176};
+        named("refuses modes", ardupilot_ ? "take-off-denied" : "request-denied",
+              ardupilot_ ? "mode GUIDED: denied" : "mode OFFBOARD: denied");
+        break;
+      case 14:
+        f.keeps_mode = true;
+        named("does not take modes", ardupilot_ ? "take-off-denied" : "request-denied",
+              "accepted, but it stays in");
+        break;
+      case 15:
+        f.position_jump_at = between(2, 7);
+        f.position_jump.head<2>() = between(1000, 9000) * geo::unit(between(0, 6.28));
+        named("position jumps on the ground", "position-jumped", "");
+        break;
+      case 16:
+        f.position_jump_at = between(30, 90);
+        f.position_jump.head<2>() = between(150, 9000) * geo::unit(between(0, 6.28));
+        named("position jumps in the air", "position-jumped", "");
+        break;
+      case 17:
+        f.silent_at = between(3, 90);
+        f.silent_for = between(4.5, 30);
+        named("silent for a time", "link-lost", "");
+        break;
+      case 18:
+        f.silent_at = 0;
+        f.silent_for = 1000;
+        named("never heard", "not-heard", "");
+        break;
+      case 19:
+        f.system = static_cast<std::uint8_t>(between(2, 200));
+        named("another number", "wrong-vehicle", "is expected");
+        break;
+      case 20:
+        f.position_rate = between(0, 0.4);
+        named("few positions", "take-off-denied", "telemetry: ");
+        break;
+      case 21:
+        f.no_fix = true;
+        named("no fix", "take-off-denied", "position: ");
+        break;
+      case 22:
+        f.ignores_setpoints = true;
+        named("ignores setpoints", "not-commandable", "setpoints");
+        break;
+      default:
+        f.climb_limit = between(3, 20);
+        named("does not climb", "not-commandable", "climbing");
+        break;
+    }
+    return d;
+  }
+
+ private:
+  double between(double least, double greatest) {
+    return std::uniform_real_distribution<double>(least, greatest)(random_);
+  }
+  bool chance() { return between(0, 1) < 0.5; }
+
+  bool ardupilot_;
+  std::mt19937 random_;
+};
+
+// 100 of each make: none is left alone in the air or led away, each fault is named once.
+TEST_P(RealVehicleFaults, AtRandomLeaveNoneAloneAndAreNamedOnce) {
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    const Drawn drawn = Draw(GetParam(), seed)();
+    FakeRun run(GetParam(), drawn.faults);
+    run.run(180);
+    SCOPED_TRACE(drawn.what + ", seed " + std::to_string(seed) + "\n" + run.told());
+    EXPECT_EQ(run.verdict(), "");
+    if (!drawn.kind.empty()) {
+      EXPECT_EQ(run.count(drawn.kind, drawn.text), 1u);
+    }
+    for (const char* kind : {"take-off-denied", "request-denied", "not-commandable",
+                             "not-brought-back", "wrong-vehicle", "wrong-place"})
+      EXPECT_LE(run.count(kind), 1u) << kind;
+  }
+}
+
+}  // namespace
+}  // namespace skein::mixed::fake
