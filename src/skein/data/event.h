@@ -28,11 +28,11 @@ constexpr auto describe(const Event*) {
 
 /// Whether an operator is to know of an event at once: alerts about other traffic that
 /// rise or are over, paths that are recommended to pilots, allocations of a team that
-/// wait for approval and what becomes of them.
+/// wait for approval and what becomes of them, aircraft that come too near to each other.
 inline bool is_announced(const Event& event) {
   return event.kind == "traffic-alert" || event.kind == "clear-of-traffic" ||
          event.kind == "recommended" || event.kind == "allocation-proposed" ||
-         event.kind == "allocation-over";
+         event.kind == "allocation-over" || event.kind == "separation-lost";
 }
 
 }  // namespace skein
