@@ -70,7 +70,7 @@ TEST(SeparationMonitor, OneEncounterIsOneLossWithItsLeastDistance) {
 }
 
 TEST(SeparationMonitor, SeesWhatHappensBetweenTwoMoments) {
-  Watched pair({{{-100, 0, -100}, {100, 0, 0}}, {{100, 1, -100}, {-100, 0, 0}}});
+  Watched pair({{{-300, 0, -100}, {100, 0, 0}}, {{300, 1, -100}, {-100, 0, 0}}});
   pair.fly(20, 2.0);
   ASSERT_EQ(pair.over.size(), 1u);
   EXPECT_NEAR(pair.over[0].distance, 1, 1e-3);
