@@ -233,7 +233,11 @@ Fields<DirectChoice> direct_fields() {
                   {.at_least = -500, .at_most = 30000})
           .number("airspeed_mps", &T::airspeed,
                   "That it plans with, within what the aircraft flies. Null: cruise.",
-                  {.above = 0, .at_most = 500}),
+                  {.above = 0, .at_most = 500})
+          .boolean(
+              "stays", [](T & t) -> auto& { return t.tasks.stays; },
+              "Others of its team count with the circle that it flies there. False: "
+              "what comes after is not said, as it leaves the run at the point."),
       "How far the flight may be off its plan.");
 }
 

@@ -38,7 +38,9 @@ struct TaskMaker {
 
   MadeTask operator()(const Loiter& t) const { return make<StayTask>(t); }
   MadeTask operator()(const Hold& t) const { return make<StayTask>(t); }
-  MadeTask operator()(const FlyTo& t) const { return make<GoToTask>(context, t); }
+  MadeTask operator()(const FlyTo& t) const {
+    return make<GoToTask>(context, t, options.stays);
+  }
   MadeTask operator()(const FollowEdge& t) const {
     FollowEdge own = t;
     own.angle = options.edge_angle.value_or(t.angle);

@@ -16,6 +16,7 @@ struct TaskOptions {
   std::optional<double> edge_angle;
   double follow_horizon = 8;  ///< paths to the place beside a leader last this long [s]
   bool lands = false;         ///< after the last lap of a route
+  bool stays = true;          ///< where it was to fly to; else it leaves the run there
   reasoning::TourOptions tour;
   bool has_camera = false;
 };

@@ -104,7 +104,7 @@ std::string scenario_of(const AvoidanceStudy& study, const AvoidanceCase& flown)
     text += fmt::format(
         "  - name: a{}\n    {}\n    altitude_agl_m: {:.17g}\n"
         "    agent: {{kind: direct, point_m: [{:.17g}, {:.17g}], altitude_msl_m: "
-        "{:.17g}, airspeed_mps: {:.17g}, "
+        "{:.17g}, airspeed_mps: {:.17g}, stays: false, "
         "avoidance: {{method: {}, deal: {}, stranger_room: {}, horizontal_m: {:.17g}, "
         "vertical_m: {:.17g}, horizon_s: {:.17g}}}}}\n"
         "    start: {{placement: list, positions_m: [[{:.17g}, {:.17g}]], "

@@ -29,14 +29,15 @@ constexpr auto describe(const Event*) {
 /// Whether an operator is to know of an event at once: alerts about other traffic that
 /// rise or are over, paths that are recommended to pilots, allocations of a team that
 /// wait for approval and what becomes of them, a real vehicle that is not what or where
-/// it is to be, that is not taken off, or that cannot be commanded or brought back.
+/// it is to be, that is not taken off, or that cannot be commanded or brought back,
+/// aircraft that come too near to each other.
 inline bool is_announced(const Event& event) {
   return event.kind == "traffic-alert" || event.kind == "clear-of-traffic" ||
          event.kind == "recommended" || event.kind == "allocation-proposed" ||
          event.kind == "allocation-over" || event.kind == "wrong-vehicle" ||
          event.kind == "wrong-place" || event.kind == "not-heard" ||
          event.kind == "take-off-denied" || event.kind == "not-commandable" ||
-         event.kind == "not-brought-back";
+         event.kind == "not-brought-back" || event.kind == "separation-lost";
 }
 
 }  // namespace skein

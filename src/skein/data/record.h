@@ -20,6 +20,7 @@
 #include "skein/data/planner_change.h"
 #include "skein/data/plugin_record.h"
 #include "skein/data/radio.h"
+#include "skein/data/separation_loss.h"
 #include "skein/data/separation_message.h"
 #include "skein/data/task_reason.h"
 #include "skein/data/team_task_report.h"
@@ -472,6 +473,6 @@ using Record = std::variant<
     MissionProgressRecord, PhysicalObject, ObservationRecord, ConflictRecord, AirTraffic,
     TrafficMotion, TrafficBeliefRecord, TeamLeadRecord, AlertRecord, BandRecord,
     RecommendationRecord, TeamAllocationRecord, RadioUseRecord, LinkUseRecord,
-    FlightPathRecord, TaskReasonRecord, TeamTaskRecord>;
+    FlightPathRecord, TaskReasonRecord, TeamTaskRecord, SeparationLossRecord>;
 
 }  // namespace skein

@@ -378,10 +378,15 @@ class Reader {
             run_.recommendations[next++].record = std::move(record);
         });
     if (!done) return done;
-    return records<ConflictRecord>("ORDER BY time_s", [this](const ConflictRecord& each) {
+    done = records<ConflictRecord>("ORDER BY time_s", [this](const ConflictRecord& each) {
       statistics_.separation().conflict(each.report);
       statistics_.alerts().conflict(each);
     });
+    if (!done) return done;
+    return records<SeparationLossRecord>("ORDER BY time_s",
+                                         [this](const SeparationLossRecord& each) {
+                                           statistics_.separation().loss(each);
+                                         });
   }
 
   // Only for the counts of a run that was cut off.

@@ -16,6 +16,12 @@ constexpr int kParts = 8;      // of the motion between two moments
 SeparationMeter::SeparationMeter(const Separation& kept)
     : kept_(kept), near_(std::max(kNear, 1.2 * kept.horizontal)) {}
 
+void SeparationMeter::keeps(EntityId id, const Separation& kept) {
+  if (!(kept.horizontal > 0 && kept.vertical > 0)) return;
+  others_[id] = kept;
+  near_ = std::max(near_, 1.2 * kept.horizontal);
+}
+
 void SeparationMeter::place(Time time, EntityId id, const Vec3& p_N, bool on_ground) {
   if (on_ground) touched_[id] = time;
   const auto touched = touched_.find(id);
@@ -35,7 +41,9 @@ void SeparationMeter::look() {
   places_.clear();
   for (const auto& [id, p] : now_) {
     const auto before = last_.find(id);
-    places_.push_back({id, before == last_.end() ? p : before->second, p});
+    const auto kept = others_.find(id);
+    places_.push_back({id, before == last_.end() ? p : before->second, p,
+                       kept == others_.end() ? kept_ : kept->second});
   }
   std::ranges::sort(places_, {}, [](const Place& place) { return place.to.x(); });
   for (std::size_t i = 0; i < places_.size(); ++i)
@@ -51,12 +59,13 @@ void SeparationMeter::look(const Place& a, const Place& b) {
   if (std::abs(a.to.y() - b.to.y()) > near_) return;
   const Separation well_clear = *separation_named("well-clear"),
                    nmac = *separation_named("nmac");
+  const Separation kept = larger(a.kept, b.kept);
   const Pair pair = a.id < b.id ? Pair{a.id, b.id} : Pair{b.id, a.id};
   const Vec3 from = b.from - a.from, to = b.to - a.to;
   for (int k = 1; k <= kParts; ++k) {
     const Vec3 apart = from + (to - from) * (static_cast<double>(k) / kParts);
     const double horizontal = apart.head<2>().norm(), vertical = std::abs(apart.z());
-    const double ratio = kept_.ratio(horizontal, vertical);
+    const double ratio = kept.ratio(horizontal, vertical);
     if (ratio < min_ratio_) {
       min_ratio_ = ratio;
       min_horizontal_ = horizontal;

@@ -22,8 +22,11 @@ namespace skein::record {
 /// Cost: sorted by north, N log N a moment for aircraft that are spread out.
 class SeparationMeter {
  public:
-  /// @param kept  whose violations are counted.
+  /// @param kept  whose violations are counted, by who keeps no other.
   explicit SeparationMeter(const Separation& kept);
+
+  /// An aircraft keeps another separation; a pair the larger of both.
+  void keeps(EntityId id, const Separation& kept);
 
   /// Where an aircraft is; moments in order of time. On the ground, and while it jumps
   /// there, it is not to be kept apart from.
@@ -45,6 +48,7 @@ class SeparationMeter {
   struct Place {
     EntityId id;
     Vec3 from, to;
+    Separation kept;
   };
   using Pair = std::pair<EntityId, EntityId>;
   void look();
@@ -54,7 +58,8 @@ class SeparationMeter {
   double near_;  // all that is counted happens nearer [m]
   Time time_;
   bool begun_ = false;
-  std::map<EntityId, Time> touched_;  // the ground last
+  std::map<EntityId, Separation> others_;  // by who keeps another
+  std::map<EntityId, Time> touched_;       // the ground last
   std::map<EntityId, Vec3> last_;
   std::vector<std::pair<EntityId, Vec3>> now_;
   std::vector<Place> places_;

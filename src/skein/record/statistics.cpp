@@ -84,6 +84,7 @@ struct Taker {
     statistics.separation().conflict(r.report);
     statistics.alerts().conflict(r);
   }
+  void operator()(const SeparationLossRecord& r) { statistics.separation().loss(r); }
   void operator()(const RadioUseRecord& r) { statistics.radio().radio(r); }
   void operator()(const LinkUseRecord&) {}
   void operator()(const VehicleReportRecord&) {}
@@ -197,7 +198,7 @@ std::map<std::string, double> RunStatistics::figures() const {
   missions_.add_figures(out);
   forecasts_.add_figures(out);
   memory_.add_figures(out);
-  separation_.add_figures(out);
+  separation_.add_figures(out, aircraft_);
   team_.add_figures(out);
   traffic_.add_figures(out);
   alerts_.add_figures(out);

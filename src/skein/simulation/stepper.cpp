@@ -63,7 +63,8 @@ Stepper::Stepper(World& world, const RunOptions& options, Recorder& recorder)
       objects_(world.objects),
       traffic_(world.traffic),
       tap_(recorder),
-      states_(world.entities.size()) {
+      states_(world.entities.size()),
+      separation_(world.entities.size()) {
   for (const auto& each : world_.phenomena) phenomena_.push_back(each.get());
 }
 
@@ -101,6 +102,7 @@ Result<void> Stepper::step(Time now) {
   const Time next = now + options_.step;
   advance(now, next);
   record_accidents(now);
+  watch_separation(next);
   record_status_changes(next);
   return recorder_.step_done(now);
 }
@@ -109,6 +111,8 @@ void Stepper::finish() {
   news_.clear();
   world_.radio->end(news_);
   for (const MessageOutcome& outcome : news_.ended) record_message(outcome, last_step_);
+  separation_.finish(last_step_);
+  record_separation();
   if (last_step_ > radios_recorded_) record_radios(last_step_);
 }
 
@@ -347,6 +351,7 @@ void Stepper::send(Time now, std::size_t i) {
   for (Message& message : states_[i].output.outbox) {
     message.from = id_of(i);
     message.sent = now;
+    separation_.listen(message);
     if (message.to == kEveryone && !world_.radio->carries_broadcasts()) {
       send_to_all(std::move(message), works);
       continue;
@@ -443,6 +448,49 @@ void Stepper::record_accidents(Time now) {
     vehicle->take_events(vehicle_events_);
     for (VehicleEvent& event : vehicle_events_)
       record_event(now, i, std::move(event.kind), std::move(event.text));
+  }
+}
+
+// How near aircraft came to each other since the last step, by the truth; where nobody
+// knows that, by what autopilots believe.
+void Stepper::watch_separation(Time now) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const Vehicle* vehicle = world_.entities[i].vehicle.get();
+    if (!states_[i].active || states_[i].lost || !vehicle) continue;
+    if (const VehicleState* truth = vehicle->truth()) {
+      separation_.place(id_of(i), truth->p_N, truth->v_N, truth->on_ground);
+    } else {
+      const NavEstimate nav = vehicle->estimate();
+      separation_.place(id_of(i), nav.p_N, nav.v_N, states_[i].status.on_ground);
+    }
+  }
+  separation_.look(now);
+  record_separation();
+}
+
+void Stepper::record_separation() {
+  for (const SeparationLossRecord& loss : separation_.begun()) {
+    const Event event{
+        loss.begun, loss.id, "separation-lost",
+        fmt::format("{} and {} are {:.1f} m beside and {:.1f} m above each other; {:g} m "
+                    "or {:g} m are required ({})",
+                    name_of_entity(loss.id), name_of_entity(loss.other), loss.horizontal,
+                    loss.vertical, loss.required_horizontal, loss.required_vertical,
+                    name_of(loss.phase))};
+    // Where nobody keeps apart it is no news.
+    if (separation_.keeps_apart(loss.id) || separation_.keeps_apart(loss.other))
+      record_event(event);
+    else
+      record_quietly(event);
+  }
+  for (const SeparationLossRecord& loss : separation_.over()) {
+    recorder_.record(loss);
+    record_quietly(
+        {loss.time, loss.id,
+         loss.over ? "separation-restored" : "separation-not-restored",
+         fmt::format("{} and {}: least distance {:.1f} m, ratio {:.2f} at {:.1f} s ({})",
+                     name_of_entity(loss.id), name_of_entity(loss.other), loss.distance,
+                     loss.ratio, loss.closest.seconds(), name_of(loss.phase))});
   }
 }
 
@@ -590,10 +638,14 @@ std::string_view Stepper::name_of_entity(EntityId id) const {
 }
 
 void Stepper::record_event(const Event& event) {
+  record_quietly(event);
+  if (is_announced(event)) announcements_.push_back(event);
+}
+
+void Stepper::record_quietly(const Event& event) {
   log_info("{:.1f} s, {}: {}: {}", event.time.seconds(), name_of_entity(event.entity),
            event.kind, event.text);
   recorder_.record(event);
-  if (is_announced(event)) announcements_.push_back(event);
 }
 
 }  // namespace skein::simulation

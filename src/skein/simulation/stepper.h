@@ -18,6 +18,7 @@
 #include "skein/simulation/payload_tap.h"
 #include "skein/simulation/refusals.h"
 #include "skein/simulation/run.h"
+#include "skein/simulation/separation_monitor.h"
 #include "skein/simulation/traffic_motions.h"
 #include "skein/simulation/world.h"
 
@@ -94,6 +95,8 @@ class Stepper {
   void record_vehicles(Time now);
   void advance(Time now, Time until);
   void record_accidents(Time now);
+  void watch_separation(Time now);
+  void record_separation();
   void record_status_changes(Time now);
   void record_status_changes(Time now, std::size_t i);
   void record_sensor_changes(Time now, std::size_t i);
@@ -101,6 +104,7 @@ class Stepper {
   void record_message(const MessageOutcome& outcome, Time ended);
   void record_event(Time now, std::size_t i, std::string kind, std::string text);
   void record_event(const Event& event);
+  void record_quietly(const Event& event);
   std::optional<std::size_t> find(const std::string& aircraft) const;
   bool is_station(const std::string& name) const;
   bool will_take_part(std::size_t i, Time now) const;
@@ -122,6 +126,7 @@ class Stepper {
   std::vector<Event> memory_events_;
   std::vector<const Phenomenon*> phenomena_;
   std::vector<EntityState> states_;
+  SeparationMonitor separation_;
   RadioNews news_;
   std::vector<VehicleEvent> vehicle_events_;
   std::vector<VehicleReport> vehicle_reports_;

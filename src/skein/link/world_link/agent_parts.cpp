@@ -8,10 +8,24 @@ namespace skein::world_link {
 namespace {
 
 // Events that the world makes by itself of the state that it is told.
-constexpr std::array<std::string_view, 15> kMadeInWorld = {
-    "joined",       "left",       "mode",        "failsafe",        "refused",
-    "landed",       "took-off",   "sensor-lost", "sensor-back",     "sensor-switched",
-    "world-joined", "world-lost", "world-back",  "world-restarted", "world-refused"};
+constexpr std::array<std::string_view, 18> kMadeInWorld = {"joined",
+                                                           "left",
+                                                           "mode",
+                                                           "failsafe",
+                                                           "refused",
+                                                           "landed",
+                                                           "took-off",
+                                                           "sensor-lost",
+                                                           "sensor-back",
+                                                           "sensor-switched",
+                                                           "world-joined",
+                                                           "world-lost",
+                                                           "world-back",
+                                                           "world-restarted",
+                                                           "world-refused",
+                                                           "separation-lost",
+                                                           "separation-restored",
+                                                           "separation-not-restored"};
 
 bool made_in_world(const Event& event) {
   return std::find(kMadeInWorld.begin(), kMadeInWorld.end(), event.kind) !=

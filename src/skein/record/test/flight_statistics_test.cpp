@@ -84,24 +84,68 @@ TEST(FlightStatistics, CountsProgramsThatEndedAndThoseThatAreGone) {
   EXPECT_EQ(figures(statistics).at("outside_programs_gone"), 1);
 }
 
-// @param jumps  it is off the ground for one moment in five.
-double violations(bool on_ground, bool jumps = false) {
+SeparationLossRecord loss_of(std::uint32_t other, SeparationPhase phase, double ratio) {
+  SeparationLossRecord loss;
+  loss.id = EntityId{1};
+  loss.other = EntityId{other};
+  loss.phase = phase;
+  loss.ratio = ratio;
+  loss.distance = 50 * ratio;
+  return loss;
+}
+
+TEST(SeparationStatistics, CountsLossesByPhaseAndPairsInTheAir) {
+  SeparationStatistics statistics;
+  statistics.loss(loss_of(2, SeparationPhase::kAir, 0.5));
+  statistics.loss(loss_of(2, SeparationPhase::kAir, 0.3));
+  statistics.loss(loss_of(3, SeparationPhase::kFormation, 0.1));
+  statistics.loss(loss_of(4, SeparationPhase::kGround, 0.2));
+  std::map<std::string, double> all;
+  statistics.add_figures(all, 4);
+  EXPECT_EQ(all.at("separation_losses"), 4);
+  EXPECT_EQ(all.at("separation_losses_air"), 2);
+  EXPECT_EQ(all.at("separation_losses_formation"), 1);
+  EXPECT_EQ(all.at("separation_losses_ground"), 1);
+  EXPECT_EQ(all.at("violations"), 1);
+  EXPECT_EQ(all.at("separation_loss_min_ratio"), 0.1);
+  EXPECT_EQ(all.at("separation_loss_min_m"), 5);
+  EXPECT_FALSE(all.contains("near_collisions")) << "nobody has said that it keeps apart";
+}
+
+TEST(SeparationStatistics, WhoFliesAloneHasNothingToLose) {
+  std::map<std::string, double> all;
+  SeparationStatistics().add_figures(all, 1);
+  EXPECT_TRUE(all.empty());
+  SeparationStatistics().add_figures(all, 2);
+  EXPECT_EQ(all.at("separation_losses"), 0);
+}
+
+TEST(SeparationStatistics, APairKeepsTheLargerSeparation) {
+  SeparationStatistics statistics;
+  PlanReport wide;
+  wide.horizontal = 200;
+  wide.vertical = 60;
+  statistics.message({EntityId{1}, kEveryone, 0, Time(), PlanReport{}});
+  statistics.message({EntityId{2}, kEveryone, 0, Time(), wide});
+  for (int t = 0; t < 5; ++t) {
+    statistics.truth(Time::from_seconds(t), EntityId{1}, at(0, 400));
+    statistics.truth(Time::from_seconds(t), EntityId{2}, at(300, 400));
+  }
+  std::map<std::string, double> all;
+  statistics.add_figures(all, 2);
+  EXPECT_NEAR(all.at("separation_min_ratio"), 1.5, 1e-9);
+}
+
+TEST(SeparationStatistics, WhoIsOnTheGroundIsNotToBeKeptApartFrom) {
   SeparationStatistics statistics;
   statistics.message({EntityId{1}, kEveryone, 0, Time(), PlanReport{}});
   for (int t = 0; t < 5; ++t) {
     statistics.truth(Time::from_seconds(t), EntityId{1}, at(20 * t - 40, 15));
-    statistics.truth(Time::from_seconds(t), EntityId{2},
-                     at(0, 0, on_ground && !(jumps && t == 2)));
+    statistics.truth(Time::from_seconds(t), EntityId{2}, at(0, 0, t != 2));
   }
   std::map<std::string, double> all;
-  statistics.add_figures(all);
-  return all.at("violations");
-}
-
-TEST(SeparationStatistics, WhoIsOnTheGroundIsNotToBeKeptApartFrom) {
-  EXPECT_EQ(violations(false), 1);
-  EXPECT_EQ(violations(true), 0);
-  EXPECT_EQ(violations(true, true), 0) << "landing gear springs";
+  statistics.add_figures(all, 2);
+  EXPECT_FALSE(all.contains("separation_min_ratio")) << "landing gear springs";
 }
 
 }  // namespace

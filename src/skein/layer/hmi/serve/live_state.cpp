@@ -119,6 +119,7 @@ std::optional<Record> without_truth(const Record& record) {
       std::holds_alternative<ObjectMotion>(record) ||
       std::holds_alternative<TrafficMotion>(record) ||
       std::holds_alternative<AirTraffic>(record) ||
+      std::holds_alternative<SeparationLossRecord>(record) ||
       std::holds_alternative<PhysicalObject>(record))
     return std::nullopt;
   return record;

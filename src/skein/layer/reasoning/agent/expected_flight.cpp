@@ -175,6 +175,7 @@ class Expectation {
 
   std::optional<double> altitude_msl;
   std::vector<double> points;
+  std::optional<double> stays_from;
 
   void operator()(const Steering& steering) {
     altitude_msl = steering.altitude_msl;
@@ -196,7 +197,9 @@ class Expectation {
       flight_.fly_to(legs.points[k % legs.points.size()]);
       points.push_back(flight_.end());
     }
-    if (flight_.duration() < duration_) around(usual_circle(legs.points.back()));
+    if (flight_.duration() >= duration_) return;
+    stays_from = flight_.end();
+    around(usual_circle(legs.points.back()));
   }
   void operator()(const Itinerary&) {}
   void operator()(const Landing& landing) {
@@ -247,7 +250,7 @@ ExpectedFlight expected_flight(const FlightIntent& intent, std::size_t passed,
   plan = expectation.altitude_msl
              ? reaching(plan, -*expectation.altitude_msl, context.limits)
              : at_height_over_ground(plan, context, context.altitude_agl, nav.p_N.z());
-  return {std::move(plan), std::move(expectation.points)};
+  return {std::move(plan), std::move(expectation.points), expectation.stays_from};
 }
 
 FlightPlan at_height_over_ground(const FlightPlan& plan, const FlightContext& context,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "skein/data/flight_plan.h"
@@ -13,6 +14,8 @@ namespace skein::reasoning {
 struct ExpectedFlight {
   FlightPlan plan;
   std::vector<double> points;  ///< when it passes points of legs [s]
+  /// When it begins to circle the last point of legs [s]; none: not in this flight.
+  std::optional<double> stays_from = {};
 };
 
 /// Where an aircraft will fly that has no plan, as far as that can be said: what others

@@ -5,8 +5,8 @@ namespace skein::reasoning {
 const FlightIntent* LoiterPlanner::plan(const FlightIntent*, const TaskStep& step,
                                         AgentOutput&) {
   if (!begun_ || left_)
-    intent_.what =
-        Circling{left_ ? geo::horizontal(step.in.nav->p_N) : step.safety.home(), {}};
+    intent_.what = Circling{
+        left_ ? geo::horizontal(step.in.nav->p_N) : step.safety.home(), {}, left_};
   begun_ = true;
   left_ = false;
   return &intent_;

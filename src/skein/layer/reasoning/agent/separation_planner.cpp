@@ -90,6 +90,7 @@ bool SeparationPlanner::expects_other(const FlightIntent& given,
     return true;
   const double age = (step.in.now - expected_at_).seconds();
   if (age >= kMinExpected && circles_elsewhere(given)) return true;
+  if (legs_end_ && has_legs_ && must_move_hold(step.in.now)) return true;
   if (separator_.changed()) {
     // Near its end another flight could not come down in time to where this one ends.
     const double left = model::end_time_of(separator_.plan()) - step.in.now.seconds();
@@ -131,13 +132,14 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
     want_itinerary(given, *itinerary, step);
     return;
   }
+  if (!std::holds_alternative<Legs>(given.what)) waits_for_ = 0;
   go_on_interrupting(given);
   if (const auto* legs = std::get_if<Legs>(&given.what))
     points_left_ = legs->points.size() * static_cast<std::size_t>(legs->laps);
   const bool flies = flight.number == given.number;
   const std::size_t passed = flies ? flight.passed : 0;
   if (flies && given.number == given_) told_ = passed - std::min(passed_before_, passed);
-  if (!expects_other(given, step)) return;
+  if (goes_on_as_foreseen(given) || !expects_other(given, step)) return;
   const bool has_legs = std::holds_alternative<Legs>(given.what);
   // Circles too are flown as they are said: autopilots each fly their own way onto one.
   const bool may_be_planned = has_legs || std::holds_alternative<Circling>(given.what);
@@ -150,13 +152,20 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
   const bool stays = may_not_leave(ahead.plan, given, step);
   if (stays) ahead = prolonged(given, step, context);
   if (ahead.plan.empty()) return;
+  const bool ends = stay_behind_legs(given, step, ahead);
   FlightCheck check(query, step.safety.zones().zones());
   const bool as_expected =
       may_be_planned && step.in.now >= unplanned_until_ && check.is_free(ahead.plan);
   if (stays && !as_expected) return;
+  WantedFlight wanted{counted_ + 1, std::move(ahead.plan), ahead.points, as_expected};
+  end_with_milestone(wanted);
+  if (ends && as_expected) wanted.held_from = *ahead.stays_from;
+  if (has_legs && as_expected && !begins(given, wanted, step)) return;
+  wanted_ = std::move(wanted);
+  ++counted_;
   flies_as_expected_ = as_expected;
-  wanted_ = {++counted_, std::move(ahead.plan), ahead.points, flies_as_expected_};
-  end_with_milestone(wanted_);
+  foreseen_ = false;
+  legs_end_ = ends;
   points_ahead_ = ahead.points.size();
   told_ = 0;
   passed_before_ = passed;
@@ -205,6 +214,7 @@ ExpectedFlight SeparationPlanner::prolonged(const FlightIntent& given,
   all.points.assign(milestones.begin(),
                     milestones.begin() + static_cast<std::ptrdiff_t>(points));
   all.points.insert(all.points.end(), on.points.begin(), on.points.end());
+  all.stays_from = on.stays_from;
   return all;
 }
 
@@ -217,6 +227,7 @@ void SeparationPlanner::go_on_interrupting(const FlightIntent& given) {
 
 // Nobody on board knows what a pilot or a failsafe flies next.
 void SeparationPlanner::want_course(const TaskStep& step) {
+  waits_for_ = 0;
   const NavEstimate& nav = *step.in.nav;
   const double now = step.in.now.seconds(), age = now - expected_at_.seconds();
   if (by_others_) {
@@ -229,6 +240,7 @@ void SeparationPlanner::want_course(const TaskStep& step) {
   if (plan.empty()) return;
   wanted_ = {++counted_, std::move(plan), {}, false, kCourseError};
   wanted_.milestones = {model::end_time_of(wanted_.plan)};
+  foreseen_ = false;
   expected_ = by_others_ = true;
   expected_at_ = step.in.now;
 }
@@ -236,15 +248,24 @@ void SeparationPlanner::want_course(const TaskStep& step) {
 void SeparationPlanner::want_itinerary(const FlightIntent& given,
                                        const Itinerary& itinerary, const TaskStep& step) {
   const bool same = !expected_ && given.number == given_ && counted_ > 0;
-  if (same) return;
-  wanted_ = {++counted_, itinerary.plan, itinerary.milestones, true};
+  if (same) return foresee_end(itinerary, step);
+  WantedFlight wanted{counted_ + 1, itinerary.plan, itinerary.milestones, true};
   if (itinerary.over_ground)
-    wanted_.plan = at_height_over_ground(itinerary.plan, context_, context_.altitude_agl,
-                                         step.in.nav->p_N.z());
-  end_with_milestone(wanted_);
+    wanted.plan = at_height_over_ground(itinerary.plan, context_, context_.altitude_agl,
+                                        step.in.nav->p_N.z());
+  end_with_milestone(wanted);
+  const std::size_t points = wanted.milestones.size();
+  if (!begins(given, wanted, step)) return;
+  wanted_ = std::move(wanted);
+  ++counted_;
+  task_points_ = points;
+  points_before_ = 0;
+  foreseen_ = legs_end_ = false;
+  as_task_ = true;
   given_ = given.number;
   kind_ = given.what.index();
   expected_ = by_others_ = false;
+  foresee_end(itinerary, step);
 }
 
 const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
@@ -268,12 +289,14 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
     if (expected_) given_ = 0;  // expected anew, from here and in the wind that there is
   }
   const bool obeys = obeys_orders(step.in.autopilot);
+  if (obeys && asked == given) asked = held(asked, step);
   if (obeys)
     want(*asked, step, flight);
   else
     want_course(step);
   modifies_ = asked != given;
   reason_ = landing_.reason();
+  if (asked == &held_ && reason_.empty()) reason_ = "circles apart from others";
   if (wanted_.plan.empty()) return asked;
   separate(step, !obeys || landing_.approaches(), is_ignored(step, flight));
   say(out);
@@ -285,6 +308,13 @@ const FlightIntent* SeparationPlanner::plan(const FlightIntent* given,
     modifies_ = false;
     interrupts_ = true;
     return &own_;
+  }
+  if (waits_for_ != 0) {
+    if (reason_.empty()) reason_ = "waits until others are out of the way";
+    const FlightIntent* flown = own_flight(*asked, step);
+    // The task plans again from where it is then.
+    interrupts_ = step.in.now >= asks_again_;
+    return flown;
   }
   if (expected_ && !separator_.changed() && !flies_as_expected_) return asked;
   return own_flight(*asked, step);
@@ -317,29 +347,47 @@ void SeparationPlanner::separate(const TaskStep& step, bool keeps_on, bool is_ig
     lowest_ = lowest(wanted_.plan, *context_.map);
   }
   list_strangers(step);
+  const PathQuery query = query_of(step);
+  separator_.step(separation_step(step, query, keeps_on, is_ignored), wanted_, messages_);
+}
+
+SeparationStep SeparationPlanner::separation_step(const TaskStep& step,
+                                                  const PathQuery& query, bool keeps_on,
+                                                  bool is_ignored) const {
   FlightPriority priority = priority_of(step.in.autopilot);
   if (landing_.approaches()) priority = std::max(priority, FlightPriority::kLanding);
   if (step.in.now < ignored_until_)
     priority = std::max(priority, FlightPriority::kPilotFlies);
-  const PathQuery query = query_of(step);
-  separator_.step({step.in.now, step.in.nav->p_N, step.in.nav->v_N,
-                   step.in.nav->position_sd, step.in.nav->altitude_sd, priority, query,
-                   step.safety.zones().zones(), strangers_, keeps_on, is_ignored},
-                  wanted_, messages_);
+  return {step.in.now,
+          step.in.nav->p_N,
+          step.in.nav->v_N,
+          step.in.nav->position_sd,
+          step.in.nav->altitude_sd,
+          priority,
+          query,
+          step.safety.zones().zones(),
+          strangers_,
+          keeps_on,
+          is_ignored};
 }
 
 // The plan of the separator, to be flown in time.
 const FlightIntent* SeparationPlanner::own_flight(const FlightIntent& given,
                                                   const TaskStep& step) {
   modifies_ = !expected_ || flies_as_expected_;
-  // A circle that is flown as it was wanted interrupts nobody.
-  interrupts_ = expected_ && (has_legs_ || separator_.changed());
-  if (own_number_ != 0 && own_plan_ == separator_.number()) return &own_;
+  // Who circles goes on with that in the end, wherever it has been led meanwhile.
+  interrupts_ = expected_ && (has_legs_ || (separator_.changed() && !circles()));
+  const bool as_task = as_task_ && !separator_.changed() && !expected_;
+  // What follows has been added to what is said, or is another circle.
+  const bool same_flight = own_as_task_ && as_task && own_of_ == given_;
+  if (own_number_ != 0 && (own_plan_ == separator_.number() || same_flight)) return &own_;
   own_plan_ = separator_.number();
+  own_as_task_ = as_task;
+  own_of_ = given_;
   Itinerary own;
   if (const auto* itinerary = std::get_if<Itinerary>(&given.what)) own = *itinerary;
-  own.over_ground = own.over_ground && !separator_.changed();
-  if (separator_.changed() || expected_) {
+  own.over_ground = own.over_ground && as_task;
+  if (!as_task) {
     own.plan = separator_.plan();
     own.milestones = separator_.milestones();
     // Shorter ones to where it leads, planned elsewhere, would lead through the others.
@@ -388,12 +436,7 @@ FlightProgress SeparationPlanner::for_task(const FlightProgress& flown) {
     return progress;
   }
   progress.number = given_;
-  if (separator_.changed()) {
-    progress.passed += separator_.passed();
-    progress.mended = true;
-    progress.refused = false;
-  }
-  return progress;
+  return separator_.changed() || !as_task_ ? progress_of_task(progress) : progress;
 }
 
 void SeparationPlanner::say(AgentOutput& out) {

@@ -15,13 +15,17 @@ namespace skein::reasoning {
 /// What the task flies by a plan is flown in time, and in another way where that would
 /// not be apart; the task counts it as its own. What it flies without a plan is said to
 /// others as far as it can be expected, and interrupted by a plan while something has to
-/// be passed. Legs that lead through no zone are flown as expected, by a plan; points
-/// that such plans pass count as passed. Landings are flown one after the other with
-/// others (LandingPlanner). While a pilot or a failsafe flies it says that the aircraft
-/// flies straight on, and changes nothing: others keep out of its way. Where a pilot was
-/// shown a flight and does not fly it in time, it says for a minute that the task's
-/// flight is flown, with the right of way of a pilot who flies. On the ground it says
-/// nothing.
+/// be passed. Where the task's flight ends in a circle that is part of what is said, a
+/// minute and more before: at a place and height that is apart from the flights and
+/// circles of others (place_to_hold()), and moved while one with the right of way needs
+/// it. Another flight is begun from a circle once it leads into no conflict that would
+/// have to be solved at once, on its way or around others. Legs that lead through no zone
+/// are flown as expected, by a plan; points that such plans pass count as passed.
+/// Landings are flown one after the other with others (LandingPlanner). While a pilot or
+/// a failsafe flies it says that the aircraft flies straight on, and changes nothing:
+/// others keep out of its way. Where a pilot was shown a flight and does not fly it in
+/// time, it says for a minute that the task's flight is flown, with the right of way of a
+/// pilot who flies. On the ground it says nothing.
 class SeparationPlanner {
  public:
   /// @param context  outlives it.
@@ -60,6 +64,29 @@ class SeparationPlanner {
   ExpectedFlight prolonged(const FlightIntent& given, const TaskStep& step,
                            const FlightContext& context) const;
   void go_on_interrupting(const FlightIntent& given);
+
+  // Of circles to stay in (separation_hold.cpp).
+  struct Hold {
+    Circling requested, flown;
+    Time placed;
+  };
+  const FlightIntent* held(const FlightIntent* asked, const TaskStep& step);
+  void place_hold(const Circling& requested, const NavEstimate& from, double begin,
+                  const TaskStep& step);
+  bool must_move_hold(Time now) const;
+  bool is_held(const Circling& requested) const;
+  void foresee_end(const Itinerary& itinerary, const TaskStep& step);
+  bool stay_behind_legs(const FlightIntent& given, const TaskStep& step,
+                        ExpectedFlight& ahead);
+  bool goes_on_as_foreseen(const FlightIntent& given);
+  void stay_as_foreseen(std::uint32_t number);
+  bool begins(const FlightIntent& given, const WantedFlight& wanted,
+              const TaskStep& step);
+  bool circles() const;
+  bool is_past_task(Time now) const;
+  SeparationStep separation_step(const TaskStep& step, const PathQuery& query,
+                                 bool keeps_on, bool is_ignored) const;
+  FlightProgress progress_of_task(const FlightProgress& flown) const;
   void want_course(const TaskStep& step);
   void want_itinerary(const FlightIntent& given, const Itinerary& itinerary,
                       const TaskStep& step);
@@ -95,10 +122,21 @@ class SeparationPlanner {
   std::optional<Time> unflown_since_;  // its last flight
   Time ignored_until_;                 // by a pilot who was shown it
   Time expected_at_;
-  double lowest_ = 0;  // height above the ground of what is wanted [m]
+  std::optional<Hold> hold_;         // the circle asked for last, or foreseen
+  FlightIntent held_;                // the same, flown elsewhere
+  bool foreseen_ = false;            // what is wanted ends in the circle of `hold_`
+  bool legs_end_ = false;            // the same, of legs
+  bool as_task_ = true;              // what is wanted is the task's own itinerary
+  std::size_t task_points_ = 0;      // milestones of that, its end included
+  std::size_t points_before_ = 0;    // of them, before those that are wanted
+  Time waiting_since_, asks_again_;  // of a flight that is not begun yet
+  std::uint32_t waits_for_ = 0;      // its number; 0: none
+  double lowest_ = 0;                // height above the ground of what is wanted [m]
   std::uint32_t lowest_of_ = 0;
   FlightIntent own_;
   std::uint32_t own_number_ = 0, own_plan_ = 0;  // of what own_ was made
+  std::uint32_t own_of_ = 0;                     // the intent of which
+  bool own_as_task_ = false;                     // it is the task's own itinerary
   bool modifies_ = false;
   std::string_view reason_;
   std::vector<Message> messages_;

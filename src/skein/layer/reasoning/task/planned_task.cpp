@@ -172,6 +172,7 @@ bool PlannedTask::take(Part part, double now, const TaskStep& step, AgentOutput&
   itinerary.in_time = options_.in_time;
   itinerary.over_ground = options_.over_ground;
   itinerary.rejoins = options_.rejoins;
+  itinerary.stays = options_.stays && last_;
   intent_.number = step.intents.next();
   intent_.what = std::move(itinerary);
   return true;

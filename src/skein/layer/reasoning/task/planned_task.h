@@ -17,6 +17,7 @@ struct PlannedTaskOptions {
   bool rejoins = true;
   bool stubborn = false;
   bool for_wind = true;  ///< planned anew for another wind
+  bool stays = true;     ///< at the end, as far as is known; see Itinerary::stays
 };
 
 /// A task that is flown on turns and straights planned for the wind.

@@ -29,7 +29,8 @@ struct Steering {
 struct Circling {
   Vec2 centre = Vec2::Zero();  ///< [m]
   std::optional<double>
-      altitude_msl{};  ///< [m]; none: the aircraft's height above ground
+      altitude_msl{};    ///< [m]; none: the aircraft's height above ground
+  bool near_by = false;  ///< whatever circle is flown already near that point will do
 };
 
 /// Straight legs between points, lap after lap, then to stay at the last of them.
@@ -50,6 +51,9 @@ struct Itinerary {
   bool in_time = true;       ///< flown in time; else at cruise airspeed
   bool rejoins = true;       ///< when it is off the plan, it joins it again by itself
   bool over_ground = false;  ///< altitudes are not the plan's, but so high above ground
+  /// It circles where that ends until something else is flown; else what follows is not
+  /// known yet, or the aircraft leaves.
+  bool stays = false;
 };
 
 /// Down to the ground at a place.

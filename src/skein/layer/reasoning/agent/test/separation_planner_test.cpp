@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "skein/base/random.h"
+#include "skein/layer/reasoning/avoidance/flights/held_circle.h"
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 #include "skein/model/path/flight_code.h"
 #include "skein/model/path/flight_plan.h"
@@ -328,6 +331,153 @@ TEST(SeparationPlanner, AManoeuvreOutOfLegsIsFlownToItsEnd) {
   EXPECT_GT(aside, 20);
   EXPECT_LE(plans, 6u) << "it is not begun anew at each step";
   EXPECT_EQ(aircraft.passed, 1u);
+}
+
+// An aircraft that flies straight to a point, circles there until further notice, and is
+// always where what it flies has it.
+struct Visitor {
+  Visitor(EntityId id, const Vec2& from, const Vec2& to)
+      : context{id, FlightLimits{15, 60, 3, 3, 11, 20}, &ground, nullptr, 150},
+        safety({}, {}, id, FlightLimits{}, ground, {}) {
+    options.method = SeparationMethod::kAuto;
+    planner.emplace(context, options);
+    const Vec2 way = to - from;
+    FlightElement e;
+    e.p_N = Vec3(from.x(), from.y(), -150);
+    e.heading = geo::bearing(way);
+    e.airspeed = 15;
+    e.duration = end = way.norm() / 15;
+    Itinerary itinerary;
+    itinerary.plan = {e};
+    itinerary.stays = true;
+    given = {1, itinerary};
+    goal = to;
+    nav.p_N = e.p_N;
+    nav.heading = e.heading;
+    nav.v_N.head<2>() = 15 * geo::unit(e.heading);
+  }
+
+  // One second. @returns what it says.
+  std::vector<Message> fly(const std::vector<Message>& inbox) {
+    AgentInput in;
+    in.now = now;
+    in.nav = &nav;
+    in.inbox = inbox;
+    AgentOutput out;
+    planner->listen(in, out);
+    safety.may_fly(in, 100, true, out);
+    flown = planner->plan(&given, {in, {}, safety, beliefs, progress, intents}, progress,
+                          out);
+    now += Time::from_seconds(1);
+    const double t = now.seconds();
+    const auto& itinerary = std::get<Itinerary>(flown->what);
+    const model::FlightMoment m = model::moment_at(itinerary.plan, t);
+    nav.p_N = m.p_N;
+    nav.v_N = m.v_N;
+    nav.heading = m.heading;
+    progress = {};
+    progress.number = flown->number;
+    for (const double time : itinerary.milestones) progress.passed += time <= t;
+    progress.done = t >= model::end_time_of(itinerary.plan);
+    const FlightProgress told = planner->for_task(progress);
+    if (!arrived && told.number == 1 && told.done) {
+      arrived = now;
+      given = {1, Circling{goal, {}}};
+    }
+    for (Message& message : out.outbox) {
+      message.from = context.self;
+      message.sent = in.now;
+    }
+    return out.outbox;
+  }
+
+  test::FlatGround ground;
+  FlightContext context;
+  FlightSafety safety;
+  Beliefs beliefs{EntityId{0}};
+  SeparationOptions options;
+  std::optional<SeparationPlanner> planner;
+  FlightIntent given;
+  const FlightIntent* flown = nullptr;
+  FlightProgress progress;
+  IntentCounter intents;
+  NavEstimate nav;
+  Vec2 goal = Vec2::Zero();
+  double end = 0;
+  std::optional<Time> arrived;
+  Time now;
+};
+
+TEST(SeparationPlanner, WhatFollowsATaskIsSaidLongBeforeItsEnd) {
+  Visitor alone(kOwn, {0, 0}, {2400, 0});
+  std::optional<double> said_first;
+  for (int k = 0; k < 150; ++k)
+    for (const Message& message : alone.fly({})) {
+      const auto* plan = std::get_if<PlanReport>(&message.content);
+      if (!plan || said_first) continue;
+      const auto flight = model::decoded_flight(plan->flight);
+      ASSERT_TRUE(flight);
+      if (model::end_time_of(*flight) < alone.end + 60) continue;
+      said_first = message.sent.seconds();
+      const auto circle = circle_at_end(*flight);
+      ASSERT_TRUE(circle);
+      EXPECT_LT((circle->centre - alone.goal).norm(), 20);
+    }
+  ASSERT_TRUE(said_first);
+  EXPECT_LT(*said_first, alone.end - 80) << "others look 90 s ahead";
+}
+
+// Two whose tasks end beside each other, 90 to 200 m apart, from anywhere.
+TEST(SeparationPlanner, TasksThatEndBesideEachOtherKeepApartInAnyGeometry) {
+  RandomStream random(5, 0, Purpose::kTest);
+  const auto within = [&](double most) { return most * (2 * random.uniform() - 1); };
+  for (int k = 0; k < 40; ++k) {
+    const Vec2 end(within(1000), within(1000));
+    const Vec2 other_end =
+        end + (90 + 110 * random.uniform()) * geo::unit(within(geo::kPi));
+    const double from = within(geo::kPi);
+    // They come from sides far enough from each other not to meet on the way.
+    const double other_from = from + (k % 2 == 0 ? 0 : 2 + random.uniform());
+    Visitor a(kOther, end + (1000 + 500 * random.uniform()) * geo::unit(from), end);
+    Visitor b(kOwn, other_end + (1000 + 500 * random.uniform()) * geo::unit(other_from),
+              other_end);
+    std::vector<Message> from_a, from_b;
+    double least = 1e9;
+    for (int t = 0; t < 300; ++t) {
+      auto next_a = a.fly(from_b), next_b = b.fly(from_a);
+      from_a = std::move(next_a);
+      from_b = std::move(next_b);
+      const Vec3 apart = a.nav.p_N - b.nav.p_N;
+      if (t > 2)
+        least = std::min(least,
+                         Separation{}.ratio(apart.head<2>().norm(), std::abs(apart.z())));
+    }
+    EXPECT_GT(least, 1) << "case " << k;
+    EXPECT_TRUE(a.arrived && b.arrived) << "case " << k;
+  }
+}
+
+// One circles where another one's flight leads through: the way of the lower number.
+TEST(SeparationPlanner, ACircleIsMovedOutOfTheWayOfWhoHasIt) {
+  Visitor circles(kOwn, {-1200, 0}, {0, 0});
+  std::vector<Message> from_other;
+  for (int t = 0; t < 100; ++t) circles.fly({});
+  ASSERT_TRUE(circles.arrived);
+  Visitor passes(kOther, {0, -1500}, {0, 1500});
+  passes.now = circles.now;
+  auto& flight = std::get<Itinerary>(passes.given.what).plan.front();
+  flight.start = circles.now.seconds();
+  double least = 1e9;
+  std::vector<Message> from_circling;
+  for (int t = 0; t < 150; ++t) {
+    auto own = circles.fly(from_other), other = passes.fly(from_circling);
+    from_circling = std::move(own);
+    from_other = std::move(other);
+    const Vec3 apart = circles.nav.p_N - passes.nav.p_N;
+    least =
+        std::min(least, Separation{}.ratio(apart.head<2>().norm(), std::abs(apart.z())));
+  }
+  EXPECT_GT(least, 1);
 }
 
 }  // namespace

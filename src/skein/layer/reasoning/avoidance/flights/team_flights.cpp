@@ -25,6 +25,7 @@ constexpr double kLargestSeparation = 20e3;
 constexpr double kLongestGap = 20;   // between PlaceReports, in their periods
 constexpr double kForgets = 0.99;    // of PlaceReports, at each
 constexpr double kMinExpected = 10;  // of them, to know what is lost
+constexpr double kUsualLoss = 0.1;   // of messages
 constexpr double kFades = 0.9;       // of the longest delay, at each message
 
 bool is_error(float error) {
@@ -145,6 +146,10 @@ void TeamFlights::expect_courses(Time now) {
 
 double TeamFlights::loss() const {
   return expected_ > kMinExpected ? 1 - received_ / expected_ : 0;
+}
+
+double TeamFlights::loss_to_expect() const {
+  return expected_ > kMinExpected ? loss() : kUsualLoss;
 }
 
 void TeamFlights::listen(EntityId self, Time now, std::span<const Message> inbox) {

@@ -79,6 +79,8 @@ class TeamFlights {
 
   /// The share of what others send that does not arrive, by their PlaceReports of late.
   double loss() const;
+  /// The same; while that is not known, what is usual.
+  double loss_to_expect() const;
 
  private:
   TeamFlight& at(EntityId who);

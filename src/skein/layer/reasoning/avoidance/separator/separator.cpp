@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "skein/base/math.h"
 #include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
@@ -19,8 +20,9 @@ constexpr double kPlanPeriod = 5;      // of plans, in those of places
 constexpr double kSigmas = 3;          // of where an aircraft believes to be
 constexpr double kRepeatPeriod = 0.5;  // of a plan that is new, in periods of places
 constexpr int kMaxRepeats = 14;
-constexpr double kUnheard = 0.05;  // by so many is a new plan at most
-constexpr int kMaxChanges = 3;     // of the plan in one look
+constexpr double kUnheard = 0.05;   // by so many is a new plan at most
+constexpr int kMaxChanges = 3;      // of the plan in one look
+constexpr double kSameTime = 1e-3;  // of a milestone, as sent in single precision [s]
 
 // How often another plan is said again, so that nearly all hear of it at once. Where the
 // air is narrow more would only lose more.
@@ -61,6 +63,7 @@ void Separator::want(const WantedFlight& wanted) {
   wanted_ = wanted.number;
   is_plan_ = wanted.is_plan;
   unknown_ = wanted.unknown;
+  held_from_ = wanted.held_from;
   own_.plan = model::as_sent(wanted.plan);
   ++own_.number;
   milestones_ = wanted.milestones;
@@ -76,6 +79,8 @@ void Separator::want(const WantedFlight& wanted) {
 void Separator::step(const SeparationStep& step, const WantedFlight& wanted,
                      std::vector<Message>& out) {
   want(wanted);
+  if (step.now.seconds() >= held_from_)
+    held_from_ = std::numeric_limits<double>::infinity();
   priority_ = step.priority;
   keeps_on_ = step.keeps_on || step.is_ignored;
   own_.separation = options_.separation;
@@ -126,6 +131,7 @@ void Separator::look(const SeparationStep& step) {
   const double until = step.now.seconds() + options_.horizon;
   for (int changes = 0; changes < kMaxChanges; ++changes) {
     conflicts_ = finder_.find(step.now, own_, team_.flights(), until);
+    set_held_conflicts_aside(step.now);
     log_.see(step.now, conflicts_);
     bool solved = false;
     for (const Conflict& conflict : conflicts_) {
@@ -169,9 +175,10 @@ void Separator::adopt(const FlightPlan& flight, const Change& change, Time now) 
   for (const double time : milestones_) {
     if (time > now.seconds() && time <= change.begin)
       milestones.push_back(time);
-    else if (time >= change.rejoins)
+    else if (time >= change.rejoins - kSameTime)
       milestones.push_back(time + later);
   }
+  if (held_from_ >= change.rejoins - kSameTime) held_from_ += later;
   passed_ += milestones_.size() - milestones.size();
   milestones_ = std::move(milestones);
   own_.plan = model::as_sent(std::move(plan));
@@ -214,7 +221,7 @@ void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
   auto coded = model::coded_flight(own_.plan);
   if (!coded) return;
   said_plan_ = step.now;
-  said_again_ = plan_is_new_ ? times_again(team_.loss(), place_period)
+  said_again_ = plan_is_new_ ? times_again(team_.loss_to_expect(), place_period)
                              : std::max(0, said_again_ - 1);
   plan_is_new_ = false;
   PlanReport report;
@@ -231,6 +238,9 @@ void Separator::say(const SeparationStep& step, std::vector<Message>& out) {
 
 // Where the plan must be met again after a time.
 double Separator::rejoins(double after) const {
+  // What the task flies is flown to its end.
+  if (after >= held_from_ && held_from_ < model::end_time_of(own_.plan))
+    return held_from_;
   const auto found = std::ranges::upper_bound(milestones_, after);
   return found != milestones_.end() ? std::min(*found, model::end_time_of(own_.plan))
                                     : model::end_time_of(own_.plan);

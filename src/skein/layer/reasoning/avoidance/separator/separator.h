@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "skein/data/message.h"
 #include "skein/layer/reasoning/avoidance/flights/conflicts.h"
 #include "skein/layer/reasoning/avoidance/flights/execution_errors.h"
+#include "skein/layer/reasoning/avoidance/flights/held_circle.h"
 #include "skein/layer/reasoning/avoidance/group/conflict_group.h"
 #include "skein/layer/reasoning/avoidance/group/group_negotiation.h"
 #include "skein/layer/reasoning/avoidance/group/joint_search.h"
@@ -56,6 +58,9 @@ struct WantedFlight {
   /// it says nothing of how well it keeps to plans.
   bool is_plan = true;
   double unknown = 0;  ///< how far it may be off that, besides [m]
+  /// What the task flies ends there; behind it is what follows, a circle to stay in: said
+  /// to others, and changed only by another one [s].
+  double held_from = std::numeric_limits<double>::infinity();
 };
 
 /// What the separator is given at one step.
@@ -113,6 +118,8 @@ class Separator {
   const FlightPlan& plan() const { return own_.plan; }
   bool changed() const { return changed_; }
   std::uint32_t number() const { return own_.number; }
+  /// Whether what is flown, changed or not, is this flight that was wanted.
+  bool is_about(std::uint32_t wanted) const { return begun_ && wanted_ == wanted; }
   /// Those of the wanted flight that are still ahead, at the times of plan().
   const std::vector<double>& milestones() const { return milestones_; }
   /// Milestones of the wanted flight that are not in milestones().
@@ -121,6 +128,31 @@ class Separator {
   /// Whether a flight from now on comes too near to others while conflicts are looked
   /// for.
   bool meets_others(const FlightPlan& plan, Time now) const;
+
+  /// Kept to others at least.
+  const Separation& kept() const { return options_.separation; }
+
+  /// Whether a flight from now on comes too near to what is known of others, however
+  /// late.
+  /// @param more  kept to them besides what has to be.
+  bool meets(const FlightPlan& plan, Time now, const Separation& more) const;
+
+  /// The circles in which the flights of others end, and what is kept to each.
+  std::vector<HeldCircle> circles_of_others(Time now) const;
+
+  /// When the flight comes too near to somebody who has the right of way, the earliest
+  /// that was found at the last look [s]. What is flown behind the end of the task
+  /// counts.
+  std::optional<double> is_to_move(Time now) const;
+
+  /// Whether somebody circles near by, who may begin another flight at any time.
+  bool has_neighbours_in_circles(Time now, const Vec3& p_N) const;
+
+  /// Takes a flight in place of the present one if it leads into no conflict, on its way
+  /// or around others, that would have to be solved at once: in less time than an
+  /// agreement needs.
+  /// @returns  whether it is flown from now on; else the present one goes on.
+  bool begins(const SeparationStep& step, const WantedFlight& wanted);
 
   /// What the flight was changed for last is over for some time.
   bool is_clear(Time now) const { return now.seconds() >= clear_from_; }
@@ -148,6 +180,21 @@ class Separator {
     double asks_at = 0;  // even if it has another conflict before [s]
     int failures = 0;    // of negotiations, one after the other
   };
+
+  // Of where it stays (separator_hold.cpp).
+  struct FlyingState {
+    OwnFlight own;
+    std::uint32_t wanted, agreed;
+    std::vector<double> milestones;
+    std::size_t passed;
+    bool changed, is_plan, plan_is_new;
+    double unknown, held_from, clear_from;
+    std::string_view reason;
+  };
+  FlyingState flying_state() const;
+  void restore(const FlyingState& state);
+  void set_held_conflicts_aside(Time now);
+  std::optional<Conflict> first_to_solve(const SeparationStep& step) const;
 
   void want(const WantedFlight& wanted);
   void measure(const SeparationStep& step);
@@ -247,6 +294,7 @@ class Separator {
   bool changed_ = false, is_plan_ = true, keeps_on_ = false;
   double unknown_ = 0;     // how far it may be off what is wanted [m]
   double clear_from_ = 0;  // [s]
+  double held_from_ = std::numeric_limits<double>::infinity();  // see WantedFlight [s]
   std::string_view reason_;
   Time last_moment_until_;
   StrangerAvoidance strangers_;
@@ -260,6 +308,7 @@ class Separator {
   std::vector<Message> inbox_, answers_;
   std::map<EntityId, Waiting> waiting_;
   std::vector<Conflict> conflicts_;
+  std::vector<Conflict> held_conflicts_;  // that another place to stay at solves
   Time looked_, avoided_, said_plan_, said_place_, measured_;
   bool plan_is_new_ = false, begun_ = false;
   int said_again_ = 0;  // times that the plan is still to be said, as messages are lost

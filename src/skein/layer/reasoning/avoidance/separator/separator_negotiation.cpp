@@ -80,8 +80,8 @@ bool Separator::can_answer(const SeparationStep& step, const ConflictNotice& not
   const double now = step.now.seconds();
   return same_plans && !negotiation_ && !group_ && flies_plan() &&
          makes_sense(notice, now, options_.horizon) && notice.begin > now &&
-         notice.begin < model::end_time_of(own_.plan) && !keeps_on_ &&
-         !flies_on(priority_) &&
+         notice.meets < held_from_ && notice.begin < model::end_time_of(own_.plan) &&
+         !keeps_on_ && !flies_on(priority_) &&
          (options_.method == SeparationMethod::kAuto ||
           options_.method == SeparationMethod::kNegotiated);
 }

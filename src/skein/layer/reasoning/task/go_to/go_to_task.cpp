@@ -14,10 +14,11 @@ constexpr double kSamePlace = 1;    // nearer is the same place [m]
 constexpr double kReached = 2;      // a point is, this near to it [turn radii]
 constexpr double kMinReached = 50;  // and this near at least [m]
 
-PlannedTaskOptions first_is_best(bool over_ground) {
+PlannedTaskOptions first_is_best(bool over_ground, bool stays) {
   PlannedTaskOptions own;
   own.in_time = false;  // the first to arrive is the best
   own.over_ground = over_ground;
+  own.stays = stays;
   return own;
 }
 
@@ -36,8 +37,8 @@ void climb_evenly(FlightPlan& plan, double up, const FlightLimits& limits) {
 }  // namespace
 
 GoToTask::GoToTask(const FlightContext& context, const Vec2& point,
-                   std::optional<double> altitude_msl)
-    : PlannedTask(context, first_is_best(!altitude_msl)),
+                   std::optional<double> altitude_msl, bool stays)
+    : PlannedTask(context, first_is_best(!altitude_msl, stays)),
       point_(point),
       altitude_msl_(altitude_msl),
       place_(point) {}

@@ -12,8 +12,9 @@ namespace skein::reasoning {
 /// takes its place, named in an event "task-moved".
 class GoToTask : public PlannedTask {
  public:
-  GoToTask(const FlightContext& context, const FlyTo& order)
-      : GoToTask(context, order.point, order.altitude_msl) {}
+  /// @param stays  see Itinerary.
+  GoToTask(const FlightContext& context, const FlyTo& order, bool stays = true)
+      : GoToTask(context, order.point, order.altitude_msl, stays) {}
 
   TaskProgress progress(const AgentInput& in) const override;
   TaskKind rest() const override { return FlyTo{point_, altitude_msl_}; }
@@ -22,7 +23,7 @@ class GoToTask : public PlannedTask {
  protected:
   /// @param altitude_msl  see FlyTo.
   GoToTask(const FlightContext& context, const Vec2& point,
-           std::optional<double> altitude_msl = std::nullopt);
+           std::optional<double> altitude_msl = std::nullopt, bool stays = true);
 
   Part plan_part(const Start& start, const TaskStep& step) override;
   const FlightIntent* before(const TaskStep& step, AgentOutput& out) override;
