@@ -16,7 +16,7 @@ constexpr double kObeyedPatience = 30;   // with setpoints, once it has obeyed s
 constexpr double kFar = 10;              // from a setpoint: it has to come nearer [m]
 constexpr double kMinSetpointSpeed = 2;  // below it none is expected to move [m/s]
 constexpr double kMinShare = 0.25;       // of the speed of a setpoint, along it
-constexpr double kMinNearing = 0.5;        // towards a setpoint that is far [m/s]
+constexpr double kMinNearing = 0.5;      // towards a setpoint that is far [m/s]
 constexpr double kBankMoved = 0.15;      // [rad]
 const Time kJudged = Time::from_seconds(1);  // after a setpoint
 
