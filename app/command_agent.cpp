@@ -62,7 +62,7 @@ std::optional<RunOrder> read_order(const AgentArguments& arguments) {
   overrides.push_back(fmt::format(
       "duration_s={}", arguments.duration > 0 ? arguments.duration : kEndlessRun));
   for (bool changed = false;; changed = true) {
-    auto kinds = load_kinds(arguments.plugins);
+    auto kinds = load_kinds(arguments.plugins, arguments.trusted);
     if (!kinds) return std::nullopt;
     auto scenario =
         load_scenario(arguments.scenario, overrides, arguments.plugins, *kinds);

@@ -4,6 +4,7 @@
 #include "app/common.h"
 #include "app/output.h"
 #include "app/study_parts.h"
+#include "app/trust.h"
 #include "skein/base/log.h"
 #include "skein/base/output_file.h"
 #include "skein/campaign/campaign.h"
@@ -49,8 +50,10 @@ int campaign_command(const CampaignArguments& arguments, const std::atomic<bool>
   campaign::CampaignFile file = std::move(read).value();
   if (arguments.seeds) file.seeds = *arguments.seeds;
   if (arguments.first_seed) file.first_seed = *arguments.first_seed;
-  const auto kinds = load_kinds(arguments.plugins);
+  auto kinds = load_kinds(arguments.plugins, arguments.trusted);
   if (!kinds) return kBadUsage;
+  // What the campaign changes in the scenario may be a program.
+  std::static_pointer_cast<Trust>(kinds->consent())->add_author(file.source);
   const auto plan = campaign::plan_campaign(file, options_of(arguments), kinds->table());
   if (!plan) return say_error(plan.error());
   const fs::path folder = arguments.out.empty()

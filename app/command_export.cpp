@@ -118,8 +118,7 @@ Result<bool> export_once(const ExportArguments& arguments, const geo::LocalFrame
 
 int export_command(const ExportArguments& arguments, const std::atomic<bool>& stop) {
   if (auto good = check_run_folder(arguments.run); !good) return say_error(good.error());
-  assemble::KindRegistry kinds;
-  const auto scenario = load_scenario(arguments.run / "scenario.yaml", {}, {}, kinds);
+  const auto scenario = load_recorded_scenario(arguments.run);
   if (!scenario) return kBadUsage;
   const auto frame = geo::LocalFrame::at(scenario->origin);
   if (!frame) return say_error(frame.error());

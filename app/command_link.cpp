@@ -67,6 +67,7 @@ std::chrono::duration<double> seconds(double value) {
 
 int link_command(const LinkArguments& arguments, const std::atomic<bool>& stop) {
   Forwarder forwarder(unix_us, [](const std::string& news) { complain("{}\n", news); });
+  forwarder.hand_on_unsigned_orders(arguments.unsigned_orders);
   if (const auto opened = open_all(arguments, forwarder); !opened)
     return say_error(opened.error());
   for (const std::string& place : forwarder.endpoints().places())
@@ -86,6 +87,9 @@ int link_command(const LinkArguments& arguments, const std::atomic<bool>& stop) 
       return say_error(flushed.error());
   }
   print_health(forwarder);
+  if (forwarder.refused_orders() > 0)
+    print("commands without a signature that were not handed on: {}\n",
+          forwarder.refused_orders());
   if (const auto flushed = forwarder.flush(); !flushed) return say_error(flushed.error());
   return kDone;
 }

@@ -75,6 +75,16 @@ void add_plugin_option(CLI::App& command, std::vector<std::string>& plugins) {
       ->allow_extra_args(false);
 }
 
+void add_trust_option(CLI::App& command, std::vector<std::string>& folders) {
+  command
+      .add_option("--trust", folders,
+                  "Libraries and programs that scenarios in this folder name may run "
+                  "(docs/extending.md); may be repeated.")
+      ->type_name("FOLDER")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
 void add_set_option(CLI::App& command, std::vector<std::string>& overrides) {
   command.add_option("--set", overrides, "KEY=VALUE: overrides a key of the scenario.")
       ->take_all()

@@ -23,6 +23,8 @@ struct Command {
 void add_log_option(CLI::App& command);
 /// --plugin
 void add_plugin_option(CLI::App& command, std::vector<std::string>& plugins);
+/// --trust
+void add_trust_option(CLI::App& command, std::vector<std::string>& folders);
 /// --serve and how a page is served.
 /// @param serve  set where a page is asked for; empty text: at its usual place.
 void add_serve_options(CLI::App& command, std::optional<std::string>& serve,

@@ -18,7 +18,6 @@ A run that is to be computed again, bit by bit: skein run --replay runs/wildfire
 
 struct ReplayArguments {
   std::filesystem::path run;
-  std::vector<std::string> plugins;
   double speed = 1;
   std::optional<std::string> serve;
   assemble::ServeOptions page;
@@ -28,10 +27,7 @@ int replay_command(const ReplayArguments& arguments, const std::atomic<bool>& st
   if (auto good = check_run_folder(arguments.run); !good) return say_error(good.error());
   auto recorded = record::RecordStream::open(arguments.run);
   if (!recorded) return say_error(recorded.error());
-  auto kinds = load_kinds(arguments.plugins);
-  if (!kinds) return kBadUsage;
-  const auto scenario =
-      load_scenario(arguments.run / "scenario.yaml", {}, arguments.plugins, *kinds);
+  const auto scenario = load_recorded_scenario(arguments.run);
   if (!scenario) return kBadUsage;
   assemble::ServeOptions options = arguments.page;
   if (arguments.serve && !arguments.serve->empty())
@@ -58,7 +54,6 @@ Command add_replay(CLI::App& program, const std::atomic<bool>& stop) {
       ->add_option("--speed", given->speed,
                    "Recorded seconds per second; the page can change it.")
       ->check(CLI::Range(0.01, 1000.0));
-  add_plugin_option(*command, given->plugins);
   add_serve_options(*command, given->serve, given->page);
   add_log_option(*command);
   command->footer(kReplayExamples);

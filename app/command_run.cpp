@@ -58,15 +58,6 @@ fs::path free_folder(const std::string& name) {
   return folder;
 }
 
-// As a shell reads it back.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(" \t\n'\"\\$`&|;<>()*?[]#~!{}") == std::string::npos)
-    return text;
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
 // Metrics are computed behind the simulation: what they throw may come out only now.
 Result<record::RunSummary> close(record::RunRecorder& recorder, bool interrupted) {
   try {
@@ -130,7 +121,7 @@ std::optional<RunOrder> order_of(const RunArguments& arguments) {
       say_error(good.error());
       return std::nullopt;
     }
-  auto kinds = load_kinds(arguments.plugins);
+  auto kinds = load_kinds(arguments.plugins, arguments.trusted);
   if (!kinds) return std::nullopt;
   auto scenario = load_scenario(
       again ? arguments.replay / "scenario.yaml" : fs::path(arguments.scenario),
@@ -368,6 +359,9 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
   if (!built) return say_error(built.error());
   assemble::Build& ready = built.value();
   for (const std::string& warning : ready.warnings) log_warning("{}", warning);
+  if (!again)  // before anything is written
+    if (auto allowed = assemble::check_consent(ready); !allowed)
+      return say_error(allowed.error());
   if (auto set = set_clock(ready, *speed, arguments, again); !set) {
     say_error(set.error());
     return kBadUsage;
@@ -403,7 +397,8 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
   if (!simulated || !closed) {
     say_error(simulated ? closed.error() : simulated.error());
     complain("Records until shortly before: {}\nReplay: skein run {} --seed {}\n",
-             folder.string(), quoted((folder / "scenario.yaml").string()), scenario.seed);
+             folder.string(), shell_quoted((folder / "scenario.yaml").string()),
+             scenario.seed);
     return kFailed;
   }
   int status = finish(arguments, folder, closed.value(), simulated.value());

@@ -26,8 +26,9 @@
 namespace skein::app {
 
 int check_command(const std::string& file, const std::vector<std::string>& overrides,
-                  const std::vector<std::string>& plugins, bool filled_in) {
-  auto kinds = load_kinds(plugins);
+                  const std::vector<std::string>& plugins,
+                  const std::vector<std::string>& trusted, bool filled_in) {
+  auto kinds = load_kinds(plugins, trusted);
   if (!kinds) return kBadUsage;
   const auto scenario = load_scenario(file, overrides, plugins, *kinds);
   if (!scenario) return kBadUsage;

@@ -163,38 +163,38 @@ const std::vector<StudyKind>& study_kinds() {
       {"monitoring",
        "every estimator x strategy x wind case, several seeds",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
-        "--estimators", "--strategies", "--set", "--plugin"},
+        "--estimators", "--strategies", "--set", "--plugin", "--trust"},
        monitoring},
       {"bridge",
        "a real fire, not star-shaped",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--estimators",
-        "--strategies", "--set", "--data", "--plugin"},
+        "--strategies", "--set", "--data", "--plugin", "--trust"},
        bridge},
       {"fidelity",
        "the default mission from kinematic points to aircraft in gusts",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin"},
+        "--plugin", "--trust"},
        fidelity},
       {"wind-following",
        "plans made for the wind against plans made without it: how closely they are "
        "flown",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin"},
+        "--plugin", "--trust"},
        following_study},
       {"robustness",
        "random wind, turbulence and wrong parameters (1000 runs): is control ever lost?",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin"},
+        "--plugin", "--trust"},
        robustness},
       {"ground-starts",
        "starts from the ground in random wind and turbulence (500 runs): is any lost?",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin"},
+        "--plugin", "--trust"},
        ground_starts_study},
       {"keeping",
        "how closely a glider and a quadrotor track their commands, by receiver",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin"},
+        "--plugin", "--trust"},
        keeping_study},
       {"avoidance",
        "aircraft that will meet, flown to the end: how near they come and what that "
@@ -212,7 +212,7 @@ const std::vector<StudyKind>& study_kinds() {
       {"tuning",
        "laps of waypoints, each with other gains; can search for gains",
        {"--out", "--log", "--seeds", "--first-seed", "--threads", "--gains", "--search",
-        "--set", "--plugin"},
+        "--set", "--plugin", "--trust"},
        tuning_study}};
   return kinds;
 }
@@ -297,7 +297,7 @@ int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop
                               ? fs::path("runs") / default_folder(arguments)
                               : arguments.out;
   if (arguments.name == "estimators") return estimators(folder);
-  const auto kinds = load_kinds(arguments.plugins);
+  const auto kinds = load_kinds(arguments.plugins, arguments.trusted);
   if (!kinds) return kBadUsage;
   return find_study(arguments.name)->run(with_plugins(arguments), *kinds, folder, stop);
 }

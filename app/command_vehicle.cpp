@@ -39,9 +39,9 @@ Result<std::string> parts_of(const VehicleArguments& arguments) {
 std::string links_of(const VehicleArguments& arguments) {
   std::string endpoints;
   for (const std::string& link : arguments.links)
-    endpoints +=
-        fmt::format("{}{{endpoint: '{}', signed: {}}}", endpoints.empty() ? "" : ", ",
-                    link, !arguments.key_file.empty());
+    endpoints += fmt::format("{}{{endpoint: '{}', signed: {}, unsigned: {}}}",
+                             endpoints.empty() ? "" : ", ", link,
+                             !arguments.key_file.empty(), arguments.unsigned_frames);
   return fmt::format(
       "links: {{ground_stations: [{}], autopilot: {}, first_system: {}{}}}\n", endpoints,
       arguments.autopilot, arguments.system,

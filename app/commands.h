@@ -19,6 +19,7 @@ struct RunArguments {
   std::filesystem::path out;           ///< empty = runs/NAME, runs/NAME-2...
   std::vector<std::string> overrides;  ///< a.b[2].c=VALUE
   std::vector<std::string> plugins;    ///< besides those of the scenario
+  std::vector<std::string> trusted;    ///< folders, see trust.h
   std::string seed;                    ///< empty = the scenario's
   std::string speed;  ///< fast, real, or a factor; empty = fast, or real if it must be
   int threads = 1;
@@ -54,7 +55,7 @@ struct StudyArguments {
   int threads = 2;
   std::vector<std::string> cases, estimators, strategies;  ///< empty = all
   std::vector<std::string> overrides;
-  std::vector<std::string> plugins;
+  std::vector<std::string> plugins, trusted;
   std::string cases_file, updates_file;  ///< estimators: CSV in, CSV on standard output
   std::string data;                      ///< bridge: folder of the recorded fire
   std::vector<std::string> gains;        ///< tuning: files of gains
@@ -94,8 +95,9 @@ struct VehicleArguments {
   std::string aircraft = "bixler";  ///< built in, a file, or "point"
   std::string name = "vehicle";
   std::vector<std::string> links = {"udpout:127.0.0.1:14550"};
-  std::string autopilot = "ardupilot";  ///< or px4: what it looks like
-  std::string key_file;                 ///< of its links; empty: they are not signed
+  std::string autopilot = "ardupilot";   ///< or px4: what it looks like
+  std::string key_file;                  ///< of its links; empty: they are not signed
+  std::string unsigned_frames = "auto";  ///< may do: auto, all or telemetry
   int system = 1;
   double latitude_deg = 36.989, longitude_deg = -122.0514;
   double north = 0, east = 0;  ///< where it begins, from there [m]
@@ -125,7 +127,7 @@ struct AgentArguments {
   double modem_rate = 0;  ///< that its modem can carry [bit/s]; 0: see AgentModem
   std::string key_file;   ///< of its team, for the modem; empty: that of the scenario
   double duration = 0;    ///< [s]; 0: until it is interrupted
-  std::vector<std::string> overrides, plugins;
+  std::vector<std::string> overrides, plugins, trusted;
   std::filesystem::path out;  ///< folder for records; empty: none
   bool overwrite = false;
 };
@@ -134,7 +136,8 @@ int agent_command(const AgentArguments& arguments, const std::atomic<bool>& stop
 int vehicle_command(const VehicleArguments& arguments, const std::atomic<bool>& stop);
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop);
 int check_command(const std::string& scenario, const std::vector<std::string>& overrides,
-                  const std::vector<std::string>& plugins, bool filled_in);
+                  const std::vector<std::string>& plugins,
+                  const std::vector<std::string>& trusted, bool filled_in);
 int list_command(const std::string& role, const std::vector<std::string>& plugins);
 /// Puts the kinds of plugins, or without one all kinds, to the test of their contracts.
 int verify_command(const std::string& role, const std::vector<std::string>& plugins);
@@ -165,6 +168,7 @@ int fire_command(const FireArguments& arguments);
 struct LinkArguments {
   std::vector<std::string> endpoints;  ///< as transport::parse_endpoint() reads them
   std::filesystem::path tlog;          ///< record of all frames; empty: none
+  bool unsigned_orders = true;         ///< from beyond this machine are handed on
   bool overwrite = false;
   double every = 10;    ///< between tables [s]
   double duration = 0;  ///< [s]; 0: until it is interrupted
@@ -183,7 +187,7 @@ struct CampaignArguments {
   int threads = 2;
   std::vector<std::string> only;  ///< names of variants; of an axis without any: all
   std::vector<std::string> overrides;
-  std::vector<std::string> plugins;
+  std::vector<std::string> plugins, trusted;
   bool scenarios = false;  ///< write those of all runs
 };
 int campaign_command(const CampaignArguments& arguments, const std::atomic<bool>& stop);

@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/trust.h"
 #include "skein/assemble/aircraft/aircraft_file.h"
 #include "skein/assemble/load_plugin.h"
 #include "skein/record/store_check.h"
@@ -14,9 +15,19 @@
 namespace skein::app {
 
 std::optional<assemble::KindRegistry> load_kinds(
-    const std::vector<std::string>& plugins) {
+    const std::vector<std::string>& plugins, const std::vector<std::string>& trusted) {
   std::optional<assemble::KindRegistry> kinds(std::in_place);
   bool good = true;
+  std::vector<std::filesystem::path> folders;
+  for (const std::string& folder : trusted) {
+    std::error_code error;
+    folders.push_back(std::filesystem::canonical(folder, error));
+    if (!error && std::filesystem::is_directory(folders.back(), error)) continue;
+    say_error(
+        {ErrorCode::kNotFound, "--trust " + folder, "there is no such folder.", ""});
+    good = false;
+  }
+  kinds->ask(std::make_shared<Trust>(std::move(folders)));
   for (const std::string& plugin : plugins)
     if (const auto loaded = assemble::load_plugin(plugin, *kinds); !loaded) {
       say_error(loaded.error());
@@ -32,10 +43,11 @@ std::optional<scenario::Scenario> load_scenario(const std::filesystem::path& fil
                                                 assemble::KindRegistry& kinds) {
   std::vector<scenario::Override> changes;
   for (const std::string& text : overrides) changes.push_back({text});
-  auto outcome = scenario::read_scenario(file, kinds.table(), changes,
-                                         [&kinds](const std::string& plugin) {
-                                           return assemble::load_plugin(plugin, kinds);
-                                         });
+  auto outcome = scenario::read_scenario(
+      file, kinds.table(), changes,
+      [&kinds](const std::string& plugin, const scenario::Source& named_in) {
+        return assemble::load_named_plugin(plugin, named_in, kinds);
+      });
   if (!outcome.ok()) {
     complain("{}", outcome.report());
     return std::nullopt;
@@ -46,6 +58,23 @@ std::optional<scenario::Scenario> load_scenario(const std::filesystem::path& fil
     if (std::find(named.begin(), named.end(), path) == named.end()) named.push_back(path);
   }
   return std::move(outcome.scenario);
+}
+
+std::optional<scenario::Scenario> load_recorded_scenario(
+    const std::filesystem::path& run) {
+  const assemble::KindRegistry kinds;
+  auto outcome = scenario::read_recorded_scenario(run / "scenario.yaml", kinds.table());
+  if (!outcome.ok()) complain("{}", outcome.report());
+  return std::move(outcome.scenario);
+}
+
+std::string shell_quoted(const std::string& text) {
+  if (!text.empty() &&
+      text.find_first_of(" \t\n'\"\\$`&|;<>()*?[]#~!{}") == std::string::npos)
+    return text;
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
 }
 
 Result<asset::FixedWingParameters> load_fixed_wing(const std::string& aircraft) {

@@ -14,7 +14,17 @@ namespace skein::app {
 
 /// Skein's own kinds and those of plugins. What cannot be loaded is said on standard
 /// error; then there are none.
-std::optional<assemble::KindRegistry> load_kinds(const std::vector<std::string>& plugins);
+/// @param trusted  folders of the command line whose scenarios may load libraries and
+/// start
+///                 programs (trust.h).
+std::optional<assemble::KindRegistry> load_kinds(
+    const std::vector<std::string>& plugins,
+    const std::vector<std::string>& trusted = {});
+
+/// What the scenario of a recorded run says, without the code that it names; says all
+/// problems on standard error when there are any.
+std::optional<scenario::Scenario> load_recorded_scenario(
+    const std::filesystem::path& run);
 
 /// Reads a scenario with overrides, and the plugins that it names into `kinds`; says all
 /// problems on standard error when there are any. The scenario names all `plugins`, those
@@ -36,6 +46,9 @@ Result<asset::FixedWingParameters> load_fixed_wing(const std::string& aircraft);
 /// A name that is safe as the name of one folder: letters, digits, - _ and . of `name`,
 /// anything else becomes -; it neither begins with a dot nor is empty ("run").
 std::string folder_name(const std::string& name);
+
+/// As a shell reads it back.
+std::string shell_quoted(const std::string& text);
 
 /// Says an error on standard error; returns the exit status for it: bad input, failure,
 /// or that it was interrupted.

@@ -59,6 +59,13 @@ Command add_link(CLI::App& program, const std::atomic<bool>& stop) {
       ->check(CLI::Range(0.1, 86400.0));
   command->add_option("--for", given->duration, "End after so many seconds.")
       ->check(CLI::Range(0.1, 1e9));
+  command
+      ->add_option_function<std::string>(
+          "--unsigned",
+          [given](const std::string& what) { given->unsigned_orders = what == "all"; },
+          "Frames without a signature from beyond this machine: all are handed on (the "
+          "default), or telemetry, without commands, parameters and missions.")
+      ->check(CLI::IsMember({"all", "telemetry"}));
   command->footer(kLinkExamples);
   return {command, [given, &stop] { return link_command(*given, stop); }};
 }
@@ -84,6 +91,13 @@ Command add_vehicle(CLI::App& program, const std::atomic<bool>& stop) {
       ->check(CLI::Range(1, 250));
   command->add_option("--key", given->key_file,
                       "File with the key of its links, which are then signed.");
+  command
+      ->add_option("--unsigned", given->unsigned_frames,
+                   "What frames without a signature may do: all, telemetry (report and "
+                   "ask), or auto: nothing with --key, else all from this machine and "
+                   "telemetry from beyond it.")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "all", "telemetry"}));
   command->add_option("--latitude", given->latitude_deg, "Of the local origin.")
       ->capture_default_str();
   command->add_option("--longitude", given->longitude_deg, "Of the local origin.")
@@ -166,6 +180,7 @@ Command add_agent(CLI::App& program, const std::atomic<bool>& stop) {
       ->needs(autopilot);
   add_set_option(*command, given->overrides);
   add_plugin_option(*command, given->plugins);
+  add_trust_option(*command, given->trusted);
   command->add_option("--for", given->duration, "End after so many seconds.")
       ->check(CLI::Range(0.1, 1e6));
   command->add_option("--out", given->out, "Folder for records; default: none.");

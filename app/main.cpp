@@ -121,6 +121,7 @@ Command add_run(CLI::App& program) {
   command->add_option("--speed", run->speed, "fast, real, or a factor of real time.");
   add_set_option(*command, run->overrides);
   add_plugin_option(*command, run->plugins);
+  add_trust_option(*command, run->trusted);
   command->add_option("--threads", run->threads, "Threads of the simulation.")
       ->check(CLI::Range(1, 256));
   command->add_flag("--commands", run->commands,
@@ -147,7 +148,7 @@ Command add_run(CLI::App& program) {
 Command add_check(CLI::App& program) {
   struct Given {
     std::string scenario;
-    std::vector<std::string> overrides, plugins;
+    std::vector<std::string> overrides, plugins, trusted;
     bool filled_in = false;
   };
   auto* command =
@@ -157,13 +158,14 @@ Command add_check(CLI::App& program) {
       ->required();
   add_set_option(*command, given->overrides);
   add_plugin_option(*command, given->plugins);
+  add_trust_option(*command, given->trusted);
   command->add_flag("--print", given->filled_in,
                     "Print the scenario with all defaults filled in.");
   add_log_option(*command);
   command->footer(kCheckExamples);
   return {command, [given] {
             return check_command(given->scenario, given->overrides, given->plugins,
-                                 given->filled_in);
+                                 given->trusted, given->filled_in);
           }};
 }
 
@@ -380,6 +382,7 @@ Command add_study(CLI::App& program) {
       ->take_all()
       ->allow_extra_args(false);
   add_plugin_option(*command, study->plugins);
+  add_trust_option(*command, study->trusted);
   command->add_option("--cases", study->cases_file,
                       "estimators: evaluate the rows of this CSV (- = standard input). "
                       "avoidance: the cases.");
@@ -488,6 +491,7 @@ Command add_campaign(CLI::App& program) {
   command->add_flag("--scenarios", given->scenarios,
                     "Write the scenario of every run, to fly one again with records.");
   add_plugin_option(*command, given->plugins);
+  add_trust_option(*command, given->trusted);
   add_log_option(*command);
   command->footer(kCampaignExamples);
   return {command, [given] { return campaign_command(*given, stop_requested); }};

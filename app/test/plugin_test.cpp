@@ -45,9 +45,11 @@ TEST_F(PluginProgram, KeepsItsContract) {
 }
 
 TEST_F(PluginProgram, ARunSaysWhatRepeatsIt) {
-  const Finished first = run({"run", scenario().string(), "--out", "first"});
+  const Finished first =
+      run({"run", scenario().string(), "--out", "first", "--trust", "."});
   ASSERT_EQ(first.status, 0) << first.err;
-  const Finished again = run({"run", "first/scenario.yaml", "--out", "again"});
+  const Finished again =
+      run({"run", "first/scenario.yaml", "--out", "again", "--plugin", kPlugin});
   ASSERT_EQ(again.status, 0) << again.err;
   EXPECT_EQ(hash_of(folder_ / "first"), hash_of(folder_ / "again"));
 
@@ -58,19 +60,20 @@ TEST_F(PluginProgram, ARunSaysWhatRepeatsIt) {
   const Finished given =
       run({"run", plain.string(), "--plugin", kPlugin, "--out", "given"});
   ASSERT_EQ(given.status, 0) << given.err;
-  const Finished replay = run({"run", "given/scenario.yaml", "--out", "replay"});
+  const Finished replay =
+      run({"run", "given/scenario.yaml", "--out", "replay", "--trust", "given"});
   ASSERT_EQ(replay.status, 0) << replay.err;
   EXPECT_EQ(hash_of(folder_ / "given"), hash_of(folder_ / "replay"));
 }
 
 TEST_F(PluginProgram, WrongKeysAndKindsAreReportedLikeOurs) {
-  const Finished range = run({"check", scenario().string(), "--set",
+  const Finished range = run({"check", scenario().string(), "--trust", ".", "--set",
                               "aircraft[0].sensors[2]={kind: radiometer, share: 2}"});
   EXPECT_EQ(range.status, 2);
   EXPECT_NE(range.err.find("2 must be above 0 and below 1"), std::string::npos)
       << range.err;
-  const Finished kind =
-      run({"check", scenario().string(), "--set", "missions[0].estimator=cirkle"});
+  const Finished kind = run({"check", scenario().string(), "--trust", ".", "--set",
+                             "missions[0].estimator=cirkle"});
   EXPECT_EQ(kind.status, 2);
   EXPECT_NE(kind.err.find("Did you mean \"circle\"?"), std::string::npos) << kind.err;
 }
@@ -90,7 +93,8 @@ TEST_F(PluginProgram, WhatIsNoPluginIsRefused) {
   EXPECT_NE(missing.err.find("nowhere.so"), std::string::npos) << missing.err;
   const fs::path text = write("text.so", "no library");
   const Finished scenario_says = run(
-      {"check", write("bad.yaml", "name: x\nplugins: [text.so]\nradio: none").string()});
+      {"check", write("bad.yaml", "name: x\nplugins: [text.so]\nradio: none").string(),
+       "--trust", "."});
   EXPECT_EQ(scenario_says.status, 2);
   EXPECT_NE(scenario_says.err.find("bad.yaml:2:11 plugins[0]"), std::string::npos)
       << scenario_says.err;

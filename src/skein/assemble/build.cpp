@@ -34,6 +34,7 @@
 #include "skein/role/radio.h"
 #include "skein/role/traffic_aircraft.h"
 #include "skein/role/world_memory.h"
+#include "skein/scenario/named_files.h"
 #include "skein/scenario/utc.h"
 #include "skein/scenario/zones.h"
 #include "skein/simulation/commanded_wind.h"
@@ -115,6 +116,7 @@ class Builder {
   }
 
   Result<Build> build() {
+    outside_code();
     build_.options = run_options(scenario_, kinds_.table());
     build_.options.commands = commands();
     build_.warnings = sampling_warnings(scenario_, kinds_.table());
@@ -142,6 +144,7 @@ class Builder {
 
   // One aircraft only.
   Result<Build> build_agent(const AgentOrder& order) {
+    outside_code();
     build_.options = run_options(scenario_, kinds_.table());
     // The world is told of every step.
     build_.options.record_period = build_.options.step;
@@ -155,6 +158,13 @@ class Builder {
   }
 
  private:
+  // What is started with the links, and who is asked.
+  void outside_code() {
+    build_.commands = scenario::named_commands(scenario_, kinds_.table());
+    build_.consent = kinds_.consent();
+    build_.source = scenario_.source;
+  }
+
   template <class T>
   bool note(const Result<T>& made) {
     if (!made) errors_.push_back(made.error());
@@ -452,7 +462,16 @@ class Builder {
     const scenario::Links& links = scenario_.links;
     for (const scenario::StationLink& link : links.ground_stations) {
       const auto address = transport::parse_endpoint(link.endpoint);
-      if (note(address)) build_.links->add_station({address.value(), link.is_signed});
+      if (!note(address)) continue;
+      build_.links->add_station(
+          {address.value(), link.is_signed, unsigned_frames(link.unsigned_frames)});
+      if (!link.is_signed &&
+          link.unsigned_frames == scenario::StationLink::Unsigned::kAll &&
+          !transport::is_local(address.value()))
+        build_.warnings.push_back(
+            fmt::format("links.ground_stations: whoever reaches {} may command all "
+                        "aircraft that are shown there: frames are not signed.",
+                        link.endpoint));
     }
     show_aircraft(!links.ground_stations.empty());
     if (!links.key_file.empty()) {
@@ -463,6 +482,14 @@ class Builder {
                          "is needed: a link is signed.",
                          "Give a file that only you can read."});
     }
+  }
+
+  static std::optional<mavlink::UnsignedFrames> unsigned_frames(
+      scenario::StationLink::Unsigned what) {
+    using What = scenario::StationLink::Unsigned;
+    if (what == What::kAll) return mavlink::UnsignedFrames::kAll;
+    if (what == What::kTelemetry) return mavlink::UnsignedFrames::kTelemetry;
+    return std::nullopt;
   }
 
   // Simulated aircraft, to ground stations and to real vehicles.

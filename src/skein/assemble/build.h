@@ -50,7 +50,11 @@ struct Build {
   /// the records that tells the world. Null: this is the world.
   std::unique_ptr<world_link::WorldClient> world_client;
   std::unique_ptr<world_link::WorldFeed> world_feed;
-  bool mixed = false;  ///< an aircraft goes by the wall clock, and so must the run
+  /// Programs that open_links() starts, and who is asked before; null: none is started.
+  std::vector<std::vector<std::string>> commands;
+  std::shared_ptr<CodeConsent> consent;
+  scenario::Source source;  ///< of the scenario
+  bool mixed = false;       ///< an aircraft goes by the wall clock, and so must the run
   simulation::World world;
   simulation::RunOptions options;  ///< speed and threads are the caller's
   /// What was repaired in outside data, and what cannot be done as asked for.

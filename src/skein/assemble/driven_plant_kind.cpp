@@ -205,14 +205,15 @@ scenario::Fields<PhysicsChoice> physics_fields() {
       .text("at", &T::at,
             "HIL: the endpoint instead of the port, as in serial:/dev/ttyACM0:921600; "
             "see docs/links.md.")
-      .text("program", &T::program,
-            "The autopilot's program and its arguments, which is started with the run; "
-            "without any it is started by somebody else. In braces: {name}, {index}, "
-            "{instance}, {port}, {system}, {home} (latitude, longitude, altitude, "
-            "heading), {latitude}, {longitude} (of the origin), {north}, {east}, "
-            "{heading}, {altitude} (where it begins; above ground), {wind_speed}, "
-            "{wind_from} (the wind there), {seed}, {parameters}, {skein} (this program); "
-            "with kind none {link}: where it finds the vehicle's endpoint.")
+      .program(
+          "program", &T::program,
+          "The autopilot's program and its arguments, which is started with the run; "
+          "without any it is started by somebody else. In braces: {name}, {index}, "
+          "{instance}, {port}, {system}, {home} (latitude, longitude, altitude, "
+          "heading), {latitude}, {longitude} (of the origin), {north}, {east}, "
+          "{heading}, {altitude} (where it begins; above ground), {wind_speed}, "
+          "{wind_from} (the wind there), {seed}, {parameters}, {skein} (this program); "
+          "with kind none {link}: where it finds the vehicle's endpoint.")
       .text("environment", &T::environment,
             "NAME=value: more variables of the program; braces as there.")
       .file("parameters", &T::parameters,

@@ -83,7 +83,7 @@ scenario::Fields<FlightModelChoice> flight_model_fields() {
                   {.at_least = 0, .at_most = 600})
       .boolean("sends_wind", &T::sends_wind,
                "FlightGear's air moves as the wind of the scenario; else it has its own.")
-      .text(
+      .program(
           "command", &T::command,
           "The program and its arguments, which is started with the run; without any it "
           "is started by somebody else. In braces: {name}, {index}, {folder}, "

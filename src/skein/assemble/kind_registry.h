@@ -1,10 +1,12 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
 
+#include "skein/assemble/code_consent.h"
 #include "skein/assemble/kinds_of.h"
 #include "skein/assemble/planner_kinds.h"
 #include "skein/assemble/radio/radio_parts.h"
@@ -66,6 +68,11 @@ class KindRegistry {
   /// What scenarios are read with. The same object for the life of the registry.
   const scenario::KindTable& table() const { return table_; }
 
+  /// Who is asked before code that a scenario names may run. Null, as it is at first: no
+  /// such code runs.
+  void ask(std::shared_ptr<CodeConsent> consent) { consent_ = std::move(consent); }
+  const std::shared_ptr<CodeConsent>& consent() const { return consent_; }
+
   /// Whether a plugin of this name was added.
   bool has_plugin(std::string_view plugin) const;
 
@@ -77,6 +84,7 @@ class KindRegistry {
   scenario::KindTable table_;
   std::set<std::string, std::less<>> plugins_;
   std::map<std::string, std::string, std::less<>> plugin_of_;  // by "role kind"
+  std::shared_ptr<CodeConsent> consent_;
 };
 
 }  // namespace skein::assemble

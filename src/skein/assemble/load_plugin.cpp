@@ -60,14 +60,28 @@ std::string difference(const PluginInterface& theirs) {
 
 }  // namespace
 
-Result<void> load_plugin(const std::filesystem::path& file, KindRegistry& registry) {
-  std::error_code error;
-  const std::string path = std::filesystem::canonical(file, error).string();
-  if (error)
-    return Error{ErrorCode::kNotFound, file.string(),
-                 fmt::format("cannot be read: {}.", error.message()), ""};
-  if (registry.has_plugin(path)) return {};
+namespace {
 
+Result<std::string> canonical_path(const std::filesystem::path& file) {
+  std::error_code error;
+  std::string path = std::filesystem::canonical(file, error).string();
+  if (!error) return path;
+  return Error{ErrorCode::kNotFound, file.string(),
+               fmt::format("cannot be read: {}.", error.message()), ""};
+}
+
+// Whether others than its owner's group may put something else in its place.
+bool is_replaceable(const std::filesystem::path& path) {
+  using std::filesystem::perms;
+  std::error_code error;
+  const perms file = std::filesystem::status(path, error).permissions();
+  const perms folder = std::filesystem::status(path.parent_path(), error).permissions();
+  const auto has = [](perms all, perms one) { return (all & one) != perms::none; };
+  return has(file, perms::others_write) ||
+         (has(folder, perms::others_write) && !has(folder, perms::sticky_bit));
+}
+
+Result<void> load_library(const std::string& path, KindRegistry& registry) {
   // Functions are bound only when the interface is known to be ours.
   void* library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
   if (library == nullptr) return cannot_load(path);
@@ -88,6 +102,34 @@ Result<void> load_plugin(const std::filesystem::path& file, KindRegistry& regist
     return cannot_load(path, fmt::format("cannot add its kinds: {}", thrown.what()));
   }
   return registry.add(kinds, path);
+}
+
+}  // namespace
+
+Result<void> load_plugin(const std::filesystem::path& file, KindRegistry& registry) {
+  const auto path = canonical_path(file);
+  if (!path) return path.error();
+  if (registry.has_plugin(path.value())) return {};
+  return load_library(path.value(), registry);
+}
+
+Result<void> load_named_plugin(const std::filesystem::path& file,
+                               const scenario::Source& named_in, KindRegistry& registry) {
+  // The path that is asked about is the one that is loaded.
+  const auto path = canonical_path(file);
+  if (!path) return path.error();
+  if (registry.has_plugin(path.value())) return {};
+  if (!registry.consent())
+    return Error{ErrorCode::kUnavailable, path.value(),
+                 "is not loaded: nobody consents to libraries that scenarios name.",
+                 "Give the table of kinds a CodeConsent."};
+  if (auto allowed = registry.consent()->library(path.value(), named_in); !allowed)
+    return allowed;
+  if (is_replaceable(path.value()))
+    return cannot_load(path.value(),
+                       "is not loaded: everybody may write it, or its folder.",
+                       "Take that permission away (chmod o-w).");
+  return load_library(path.value(), registry);
 }
 
 }  // namespace skein::assemble

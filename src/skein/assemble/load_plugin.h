@@ -17,4 +17,11 @@ namespace skein::assemble {
 ///        plugin, made for another interface, or as KindRegistry::add().
 Result<void> load_plugin(const std::filesystem::path& file, KindRegistry& registry);
 
+/// The same of one that a scenario names: KindRegistry::consent() is asked before, unless
+/// the registry has it already.
+/// Fails: as load_plugin() and CodeConsent::library(); kUnavailable when nobody can be
+///        asked.
+Result<void> load_named_plugin(const std::filesystem::path& file,
+                               const scenario::Source& named_in, KindRegistry& registry);
+
 }  // namespace skein::assemble

@@ -37,14 +37,16 @@ struct PerformanceChoice : FiledPlant {
 template <class T>
 Fields<T> filed_fields() {
   return Fields<T>()
-      .text("aircraft", &T::aircraft,
-            "A built-in aircraft: `skein list aircraft` names them.")
+      .file(
+          "aircraft", &T::aircraft,
+          "A built-in aircraft by its name (`skein list aircraft`), or an aircraft file.",
+          {.or_name = true})
       .file("file", &T::file, "An aircraft file instead; \"\": none.",
             {.may_be_empty = true});
 }
 
 Result<AircraftFile> load(const FiledPlant& choice) {
-  return load_aircraft(choice.file.empty() ? choice.aircraft : choice.file, ".");
+  return load_aircraft(choice.file.empty() ? choice.aircraft : choice.file, {});
 }
 
 template <class Made, class Parameters>

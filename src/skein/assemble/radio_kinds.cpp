@@ -65,8 +65,9 @@ struct MediumChoice {
 Fields<MediumChoice> medium_fields() {
   using T = MediumChoice;
   return Fields<T>()
-      .text("profile", &T::profile,
-            "A built-in radio: `skein list radio-profile` names them.")
+      .file("profile", &T::profile,
+            "A built-in radio by its name (`skein list radio-profile`), or a radio file.",
+            {.or_name = true})
       .file("file", &T::file, "A radio file instead; \"\": none.", {.may_be_empty = true})
       .duration_s("spread_s", [](T & t) -> auto& { return t.radio.spread; },
                   "Agents think at the same moments; their messages reach the radios "
@@ -103,7 +104,7 @@ Fields<MediumChoice> medium_fields() {
 }
 
 Result<RadioFile> load(const MediumChoice& choice, const RadioParts& parts) {
-  return load_radio(choice.file.empty() ? choice.profile : choice.file, ".", parts);
+  return load_radio(choice.file.empty() ? choice.profile : choice.file, {}, parts);
 }
 
 // Signals of a run on their way.

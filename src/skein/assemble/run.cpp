@@ -29,7 +29,16 @@ class QuietConsole : public OperatorConsole {
 
 }  // namespace
 
+Result<void> check_consent(const Build& ready) {
+  if (ready.commands.empty()) return {};
+  if (ready.consent) return ready.consent->programs(ready.commands, ready.source);
+  return Error{ErrorCode::kUnavailable, ready.source.file.string(),
+               "names programs to be started, and nobody consents to that.",
+               "Give the table of kinds a CodeConsent."};
+}
+
 Result<std::vector<std::string>> open_links(Build& ready) {
+  if (auto allowed = check_consent(ready); !allowed) return allowed.error();
   std::vector<std::string> places;
   const auto start = [&places](auto& links) -> Result<void> {
     auto started = links.start();

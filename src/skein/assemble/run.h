@@ -16,10 +16,14 @@
 
 namespace skein::assemble {
 
+/// Asks whether the programs of a scenario may be started, if it has any; open_links()
+/// does so too. Fails: kUnavailable, with what to do, when they may not.
+Result<void> check_consent(const Build& ready);
+
 /// Opens the links to whoever takes part from outside, and starts their programs; before
 /// run_linked(), by the same thread.
 /// @returns  where servers wait.
-/// Fails: what cannot be opened or started.
+/// Fails: as check_consent(); what cannot be opened or started.
 Result<std::vector<std::string>> open_links(Build& ready);
 
 /// Runs a world with ground stations, or the world that an agent takes part in, as

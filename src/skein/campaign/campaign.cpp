@@ -195,6 +195,8 @@ Result<StudyPlan> plan_campaign(const CampaignFile& file, const CampaignOptions&
         for (const std::string& text : variant->overrides) overrides.push_back({text});
       for (scenario::Override& each : drawn_values(file.draws, seed))
         overrides.push_back(std::move(each));
+      // Files that the campaign names are relative to it.
+      for (scenario::Override& each : overrides) each.folder = file.source.folder;
       overrides.push_back({fmt::format("seed={}", seed)});
       for (const std::string& text : options.overrides) overrides.push_back({text});
       auto read = scenario::read_scenario(file.scenario, kinds, overrides,

@@ -117,6 +117,7 @@ Fields<CampaignFile> campaign_fields() {
 }
 
 Result<CampaignFile> outcome(const scenario::Reading& reading, CampaignFile file) {
+  file.source = reading.source;
   if (reading.ok()) return file;
   std::string report = reading.report();
   report.pop_back();  // the last line feed

@@ -47,6 +47,7 @@ struct CampaignFile {
   std::vector<Axis> axes;  ///< three at most
   std::vector<DrawnKey> draws;
   std::vector<CampaignFigure> figures;
+  scenario::Source source = {};  ///< what it was read from; no key
 };
 
 /// The keys of a campaign's file.

@@ -64,50 +64,86 @@ std::string Reading::report() const {
                             problem_count == 1 ? "" : "s", consequence);
 }
 
+namespace {
+
+// Symbolic links resolved, so that relative paths start where Source says, whatever
+// becomes of links meanwhile. One that is not there stays as it is.
+std::filesystem::path start_of_paths(const std::filesystem::path& folder) {
+  if (folder.empty()) return folder;
+  std::error_code error;
+  auto canonical = std::filesystem::canonical(folder, error);
+  return error ? folder : canonical;
+}
+
+Reading read_text(std::string_view text, const std::string& name, Source source,
+                  const Document& document, const KindTable& kinds,
+                  std::span<const Override> overrides, void* target) {
+  std::vector<std::string> sources = {name};
+  Folders folders;
+  folders.by_source.push_back(source.folder);
+  for (const Override& change : overrides) {
+    sources.push_back("--set " + change.text);
+    folders.by_source.push_back(change.folder);
+  }
+  folders.source = std::move(source);
+  Problems problems(std::move(sources));
+  const auto finish = [&] {
+    Reading reading = finished(problems, document);
+    reading.source = folders.source;
+    return reading;
+  };
+
+  std::optional<Node> root = parse_yaml(text, 0, document.name, problems);
+  if (!root && problems.count() == 0) {
+    problems.add({0, 1, 1}, "", "the file is empty.", document.empty_hint);
+  }
+  if (!root) return finish();
+  if (root->kind != Node::Kind::kMap) {
+    problems.add(root->place, "",
+                 fmt::format("{} is a list of keys, as in \"name: x\".", document.name));
+    return finish();
+  }
+  std::int32_t number = 0;
+  for (const Override& change : overrides)
+    apply_override(change, ++number, *root, problems);
+  if (document.prepare && !document.prepare(*root, folders, problems)) return finish();
+  std::optional<Places> places;
+  if (document.places) places = document.places(*root, kinds);
+  const Reader::Care care =
+      document.says_only ? Reader::Care::kWhatItSays : Reader::Care::kAll;
+  Reader reader(kinds, folders, places ? &*places : nullptr, problems, care);
+  reader.read(Type{ObjectType{document.keys}}, *root, target);
+  return finish();
+}
+
+}  // namespace
+
 Reading read_document(const std::filesystem::path& path, const Document& document,
                       const KindTable& kinds, std::span<const Override> overrides,
                       void* target) {
+  // What is opened is what Source names, whatever becomes of links meanwhile.
+  std::error_code no_file, no_folder;
+  const auto file = std::filesystem::canonical(path, no_file);
+  const auto folder = std::filesystem::absolute(path, no_folder).parent_path();
   std::string reason;
-  const auto text = load(path, document.name, reason);
+  auto text = load(no_file ? path : file, document.name, reason);
   if (!text) {
     Problems problems({path.string()});
     problems.add({}, "", reason);
     return finished(problems, document);
   }
-  return read_document_text(*text, path.string(), path.parent_path(), document, kinds,
-                            overrides, target);
+  const auto kept = std::make_shared<const std::string>(*std::move(text));
+  return read_text(*kept, path.string(), {file, start_of_paths(folder), kept}, document,
+                   kinds, overrides, target);
 }
 
 Reading read_document_text(std::string_view text, const std::string& name,
                            const std::filesystem::path& folder, const Document& document,
                            const KindTable& kinds, std::span<const Override> overrides,
                            void* target) {
-  std::vector<std::string> sources = {name};
-  for (const Override& change : overrides) sources.push_back("--set " + change.text);
-  Problems problems(std::move(sources));
-
-  std::optional<Node> root = parse_yaml(text, 0, document.name, problems);
-  if (!root && problems.count() == 0) {
-    problems.add({0, 1, 1}, "", "the file is empty.", document.empty_hint);
-  }
-  if (!root) return finished(problems, document);
-  if (root->kind != Node::Kind::kMap) {
-    problems.add(root->place, "",
-                 fmt::format("{} is a list of keys, as in \"name: x\".", document.name));
-    return finished(problems, document);
-  }
-  std::int32_t source = 0;
-  for (const Override& change : overrides) {
-    apply_override(change, ++source, *root, problems);
-  }
-  const Folders folders{folder, {}};
-  if (document.prepare && !document.prepare(*root, folders, problems))
-    return finished(problems, document);
-  std::optional<Places> places;
-  if (document.places) places = document.places(*root, kinds);
-  Reader reader(kinds, folders, places ? &*places : nullptr, problems);
-  reader.read(Type{ObjectType{document.keys}}, *root, target);
-  return finished(problems, document);
+  const auto kept = std::make_shared<const std::string>(text);
+  return read_text(*kept, name, {{}, start_of_paths(folder), kept}, document, kinds,
+                   overrides, target);
 }
 
 std::string write_document(const Document& document, const void* value,

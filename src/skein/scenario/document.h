@@ -12,6 +12,7 @@
 #include "skein/scenario/override.h"
 #include "skein/scenario/places.h"
 #include "skein/scenario/problem.h"
+#include "skein/scenario/source.h"
 #include "skein/scenario/type.h"
 
 namespace skein::scenario {
@@ -32,6 +33,8 @@ struct Document {
   std::function<bool(const Node&, const Folders&, Problems&)> prepare = {};
   /// Places of such a file besides local metres. May be empty: there are none.
   std::function<Places(const Node& root, const KindTable& kinds)> places = {};
+  /// The file is only to be described: kinds and files that are not here stay names.
+  bool says_only = false;
 };
 
 /// Everything that is wrong with a file.
@@ -39,6 +42,7 @@ struct Reading {
   std::vector<Problem> problems;  ///< in the order of their places; 1000 at most
   std::size_t problem_count = 0;  ///< all of them
   std::string consequence;        ///< see Document
+  Source source;                  ///< what was read
 
   bool ok() const { return problem_count == 0; }
   /// One line per problem and "2 problems; nothing was run."; empty when there is none.
@@ -48,8 +52,8 @@ struct Reading {
 /// Reads a file into a struct. Every key that is not given keeps the value that stands
 /// there; every option of every choice is filled in; every file path is absolute.
 ///
-/// @param overrides  changes from the command line, applied in their order; paths in
-///                   them are relative to the working folder.
+/// @param overrides  changes from outside, applied in their order; paths in them are
+///                   relative to their folder.
 /// @param target     a struct as `document.keys` describes, with its defaults. Where
 ///                   there are problems it holds something harmless.
 /// Never throws for what a file holds. A 10 MB file takes a few seconds.

@@ -182,13 +182,29 @@ class Fields : public detail::FieldsBase {
   template <class Member>
   Fields& text(std::string key, Member member, std::string help,
                std::vector<std::string> allowed = {}) {
-    return add_leaf<std::string>(key, member, help, TextType{std::move(allowed), false});
+    return add_leaf<std::string>(key, member, help,
+                                 TextType{std::move(allowed), false, false, false});
   }
 
   /// A moment as `2026-07-01T12:00:00Z`; a std::string. See parse_utc.
   template <class Member>
   Fields& utc(std::string key, Member member, std::string help) {
-    return add_leaf<std::string>(key, member, help, TextType{{}, true});
+    return add_leaf<std::string>(key, member, help, TextType{{}, true, false, false});
+  }
+
+  /// A command that is run, the program and its arguments; a list of std::string. All
+  /// such keys of a scenario need consent (named_commands()). A program that is a
+  /// relative path starts as file() does.
+  template <class Member>
+  Fields& program(std::string key, Member member, std::string help) {
+    return add_leaf<std::string>(key, member, help, TextType{{}, false, true, false});
+  }
+
+  /// A command as an operator gives it (data/command_text.h); a std::string. A file that
+  /// it names starts as with file(), and its path is absolute after reading.
+  template <class Member>
+  Fields& order(std::string key, Member member, std::string help) {
+    return add_leaf<std::string>(key, member, help, TextType{{}, false, false, true});
   }
 
   /// One of some words; an enumeration.
@@ -231,8 +247,8 @@ class Fields : public detail::FieldsBase {
     return add_leaf<geo::Ring>(key, member, help, std::move(ring.what));
   }
 
-  /// A file (or folder) that exists; a std::string, absolute after reading. In a scenario
-  /// file relative to that file, in an override to the working folder.
+  /// A file (or folder) that exists; a std::string, absolute after reading. In a file it
+  /// is relative to that file, in an override to the override's folder.
   template <class Member>
   Fields& file(std::string key, Member member, std::string help,
                const FileType& type = {}) {

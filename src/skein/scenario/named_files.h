@@ -12,4 +12,9 @@ namespace skein::scenario {
 /// are absolute when the scenario was read from a file.
 std::vector<std::string> named_files(const Scenario& scenario, const KindTable& kinds);
 
+/// The commands that a scenario names, program and arguments, in the order of its keys:
+/// whoever runs it starts them. Fields::program() marks such keys, those of plugins too.
+std::vector<std::vector<std::string>> named_commands(const Scenario& scenario,
+                                                     const KindTable& kinds);
+
 }  // namespace skein::scenario

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "skein/scenario/node.h"
@@ -12,6 +13,9 @@ namespace skein::scenario {
 /// past the end appends.
 struct Override {
   std::string text;
+  /// Where relative paths in it start, such as the folder of the campaign that has it;
+  /// empty: the working folder, as for what stands on a command line.
+  std::filesystem::path folder = {};
 };
 
 /// Puts an override into a parsed tree, in place of what stands there. Where the tree

@@ -24,7 +24,7 @@ ObjectPtr plugin_key() {
 }  // namespace
 
 LoadPlugin plugins_are_loaded() {
-  return [](const std::string&) { return Result<void>(); };
+  return [](const std::string&, const Source&) { return Result<void>(); };
 }
 
 bool load_plugins(const Node& root, const Folders& folders, const LoadPlugin& load,
@@ -41,7 +41,7 @@ bool load_plugins(const Node& root, const Folders& folders, const LoadPlugin& lo
   if (problems.count() > before) return false;
   for (std::size_t i = 0; i < list.plugins.size(); ++i) {
     const Result<void> loaded =
-        load ? load(list.plugins[i])
+        load ? load(list.plugins[i], folders.source)
              : Error{ErrorCode::kUnavailable, list.plugins[i],
                      "cannot be used: this program loads no plugins.", ""};
     if (loaded) continue;

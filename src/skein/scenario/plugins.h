@@ -5,6 +5,7 @@
 
 #include "skein/base/result.h"
 #include "skein/scenario/problem.h"
+#include "skein/scenario/source.h"
 
 namespace skein::scenario {
 
@@ -13,7 +14,11 @@ struct Node;
 
 /// Makes the kinds of a shared library known; from then on they stand in the table that
 /// the scenario is read with.
-using LoadPlugin = std::function<Result<void>(const std::string& file)>;
+///
+/// @param file      absolute.
+/// @param named_in  the scenario that asks for it.
+using LoadPlugin =
+    std::function<Result<void>(const std::string& file, const Source& named_in)>;
 
 /// For callers who have loaded all plugins before, so that their table holds the kinds.
 LoadPlugin plugins_are_loaded();

@@ -188,7 +188,7 @@ bool Reader::faulty(const std::string& path) const {
 }
 
 void Reader::apply_rules(const Object& object, const Node& node, const void* target) {
-  if (object.rules.empty() || problems_.full()) return;
+  if (object.rules.empty() || problems_.full() || care_ == Care::kWhatItSays) return;
   const std::string here = path_text();
   std::vector<RuleViolation> found;
   const ValidValues valid(
@@ -231,6 +231,11 @@ void Reader::read_choice(const ChoiceType& type, const Node& node, void* target)
   }
   const Kind* kind = nullptr;
   if (name) {
+    if (care_ == Care::kWhatItSays && name->scalar() &&
+        !kinds_.find(type.role, name->text)) {
+      choice = {name->text, {}};
+      return;
+    }
     kind = kind_named(type, *name);
     if (!kind) return;
     in_place_ = false;

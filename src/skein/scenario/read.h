@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "skein/scenario/file_path.h"
 #include "skein/scenario/kind_table.h"
 #include "skein/scenario/node.h"
 #include "skein/scenario/places.h"
@@ -15,23 +16,24 @@
 
 namespace skein::scenario {
 
-/// Where relative paths start.
-struct Folders {
-  std::filesystem::path file;      ///< for paths in the scenario file
-  std::filesystem::path override;  ///< for paths in overrides
-};
-
 /// Turns trees into values, by their description, and reports every validation error that
 /// it meets.
 class Reader {
  public:
+  /// How much is asked of a file.
+  enum class Care {
+    kAll,        ///< all of it is to be used
+    kWhatItSays  ///< what is not here, kinds and files, stays a name; no rule is applied
+  };
+
   /// @param places  besides local metres; null: none.
   Reader(const KindTable& kinds, Folders folders, const Places* places,
-         Problems& problems)
+         Problems& problems, Care care = Care::kAll)
       : kinds_(kinds),
         folders_(std::move(folders)),
         places_(places),
-        problems_(problems) {}
+        problems_(problems),
+        care_(care) {}
 
   /// Reads `node` into `target`, whose content counts as the default: what the tree does
   /// not say stays. Where errors are reported, the target holds something harmless.
@@ -89,6 +91,7 @@ class Reader {
   Folders folders_;
   const Places* places_;
   Problems& problems_;
+  Care care_;
   std::vector<Step> path_;
   std::vector<std::string> faulty_;  // paths with problems
   // The value being read, for messages.

@@ -34,18 +34,6 @@ std::string found_text(const Node& node) {
   return {};
 }
 
-// Why there is no such file or folder for us; empty when there is.
-std::string file_error(const std::filesystem::path& path, bool folder) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found) return "does not exist";
-  if (error) return error.message();
-  const bool is_folder = std::filesystem::is_directory(status);
-  if (folder != is_folder) return is_folder ? "is a folder" : "is not a folder";
-  if (::access(path.c_str(), R_OK) != 0) return "may not be read";
-  return {};
-}
-
 bool is_whole(std::string_view text) {
   if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.remove_prefix(1);
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -135,7 +123,16 @@ void Reader::read_leaf(const TextType& type, const Node& node, void* target) {
     return wrong_type(node,
                       near.empty() ? "" : fmt::format("Did you mean \"{}\"?", near));
   }
-  *static_cast<std::string*>(target) = node.text;
+  auto& text = *static_cast<std::string*>(target);
+  text = node.text;
+  const bool is_first = !path_.empty() && !path_.back().key && path_.back().index == 0;
+  if (!type.order && !(type.program && is_first)) return;
+  const auto& folder = folders_.of(node.place);
+  NamedPath named = type.order ? find_file_of_order(node.text, folder)
+                               : find_program(node.text, folder);
+  if (!named.problem.empty() && care_ == Care::kAll)
+    return error(node.place, std::move(named.problem), std::move(named.hint));
+  text = std::move(named.path);
 }
 
 void Reader::read_leaf(const WordType& type, const Node& node, void* target) {
@@ -182,15 +179,14 @@ void Reader::read_leaf(const FileType& type, const Node& node, void* target) {
     member.clear();
     return;
   }
-  const auto& folder = node.place.source == 0 ? folders_.file : folders_.override;
-  std::error_code failure;
-  const auto path =
-      std::filesystem::absolute(folder / node.text, failure).lexically_normal();
-  const std::string reason = failure ? failure.message() : file_error(path, type.folder);
-  if (!reason.empty()) {
-    return error(node.place, fmt::format("{} {}.", quote_path(path.string()), reason));
+  if (type.or_name && !names_yaml_file(node.text)) {
+    member = node.text;
+    return;
   }
-  member = path.string();
+  NamedPath named = find_file(node.text, folders_.of(node.place), type);
+  if (!named.problem.empty() && care_ == Care::kAll)
+    return error(node.place, std::move(named.problem), std::move(named.hint));
+  member = std::move(named.path);
 }
 
 void Reader::error(const Place& place, std::string message, std::string hint) {

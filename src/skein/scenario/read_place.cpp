@@ -72,17 +72,19 @@ std::optional<std::vector<Vec2>> Reader::feature_points(const Node& node,
           "needs the name of a file and, in a file with several, of a feature.", kForms);
     return std::nullopt;
   }
-  const auto& folder = file->place.source == 0 ? folders_.file : folders_.override;
-  std::error_code failure;
-  const auto path = std::filesystem::absolute(folder / file->text, failure);
   if (!places_->frame) return std::nullopt;  // a problem of its own
   if (!places_->features) {
     error(node.place, "no map files can be read here.", kForms);
     return std::nullopt;
   }
-  auto points = places_->features(path.lexically_normal().string(),
-                                  name ? name->text : "", use, *places_->frame);
+  NamedPath named = find_file(file->text, folders_.of(file->place), {});
+  auto points =
+      places_->features(named.path, name ? name->text : "", use, *places_->frame);
   if (points) return std::move(points).value();
+  if (!named.hint.empty()) {  // it is somewhere else
+    error(file->place, std::move(named.problem), std::move(named.hint));
+    return std::nullopt;
+  }
   const Error& why = points.error();
   error(name ? name->place : file->place,
         why.place.empty() ? why.message : fmt::format("{}: {}", why.place, why.message),

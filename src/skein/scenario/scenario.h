@@ -13,6 +13,7 @@
 #include "skein/geo/polygon.h"
 #include "skein/scenario/choice.h"
 #include "skein/scenario/fields.h"
+#include "skein/scenario/source.h"
 
 namespace skein::scenario {
 
@@ -204,8 +205,15 @@ struct Recording {
 
 /// A place where ground stations' programs meet the aircraft by MAVLink.
 struct StationLink {
+  /// What frames without a signature may do.
+  enum class Unsigned {
+    kAuto,       ///< signed links: nothing; else on this machine all, beyond it telemetry
+    kAll,        ///< whatever signed ones may
+    kTelemetry,  ///< report and ask
+  };
   std::string endpoint = "udpout:127.0.0.1:14550";  ///< see docs/links.md
   bool is_signed = false;                           ///< with the key of Links
+  Unsigned unsigned_frames = Unsigned::kAuto;
 };
 
 /// What simulated aircraft look like to ground stations.
@@ -244,6 +252,7 @@ struct Scenario {
   std::vector<PlannedCommand> commands;
   Links links;
   Recording record;
+  Source source = {};  ///< what it was read from; no key
 };
 
 /// The keys of a scenario file.

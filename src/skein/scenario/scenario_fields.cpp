@@ -313,7 +313,21 @@ Fields<StationLink> station_link_fields() {
             "Where, such as udpout:127.0.0.1:14550 or tcpin:5760; see docs/links.md.")
       .required()
       .boolean("signed", &T::is_signed,
-               "Frames are signed with the key of key_file, others refused.");
+               "Frames are signed with the key of key_file, others refused.")
+      .word("unsigned", &T::unsigned_frames,
+            "What frames without a signature may do: docs/links.md.",
+            {{"auto", T::Unsigned::kAuto,
+              "nothing where frames are signed; else all from this machine, and "
+              "telemetry from beyond it"},
+             {"all", T::Unsigned::kAll,
+              "command, set parameters and upload missions, from anywhere"},
+             {"telemetry", T::Unsigned::kTelemetry,
+              "report and ask; commands, parameters and missions are refused"}})
+      .rule("unsigned", [](const T& t) {
+        return t.is_signed && t.unsigned_frames == T::Unsigned::kAll
+                   ? std::string("is all, so that signed would not protect anything.")
+                   : std::string();
+      });
 }
 
 Fields<Links> links_fields() {
@@ -418,7 +432,10 @@ Fields<PlannedCommand> command_fields() {
   return Fields<T>()
       .duration_s("at_s", &T::at, "When it is given.", {.at_least = 0})
       .required()
-      .text("do", &T::text, "The command, as in a terminal: see docs/commands.md.")
+      .order(
+          "do", &T::text,
+          "The command, as in a terminal: see docs/commands.md. A file that it names is "
+          "relative to the scenario.")
       .required()
       .rule("do", [](const T& t) {
         const auto command = parse_command(t.text);

@@ -42,8 +42,18 @@ Document document_with(const LoadPlugin& load) {
 
 ReadOutcome outcome_of(Reading reading, Scenario& scenario) {
   ReadOutcome outcome{std::move(reading), std::nullopt};
-  if (outcome.Reading::ok()) outcome.scenario = std::move(scenario);
+  if (!outcome.Reading::ok()) return outcome;
+  scenario.source = outcome.source;
+  outcome.scenario = std::move(scenario);
   return outcome;
+}
+
+// A scenario that is only described.
+Document recorded_document() {
+  Document document = scenario_document();
+  document.says_only = true;
+  document.consequence = "the run cannot be described";
+  return document;
 }
 
 }  // namespace
@@ -63,6 +73,22 @@ ReadOutcome read_scenario_text(std::string_view text, const std::string& name,
   Scenario scenario;
   Reading reading = read_document_text(text, name, folder, document_with(load), kinds,
                                        overrides, &scenario);
+  return outcome_of(std::move(reading), scenario);
+}
+
+ReadOutcome read_recorded_scenario(const std::filesystem::path& path,
+                                   const KindTable& kinds) {
+  Scenario scenario;
+  Reading reading = read_document(path, recorded_document(), kinds, {}, &scenario);
+  return outcome_of(std::move(reading), scenario);
+}
+
+ReadOutcome read_recorded_scenario_text(std::string_view text, const std::string& name,
+                                        const std::filesystem::path& folder,
+                                        const KindTable& kinds) {
+  Scenario scenario;
+  Reading reading =
+      read_document_text(text, name, folder, recorded_document(), kinds, {}, &scenario);
   return outcome_of(std::move(reading), scenario);
 }
 

@@ -24,8 +24,8 @@ struct ReadOutcome : Reading {
 /// Reads a scenario file. Every key that is not given has its default; every option of
 /// every choice is filled in; every file path is absolute.
 ///
-/// @param overrides  changes from the command line, applied in their order; paths in
-///                   them are relative to the working folder.
+/// @param overrides  changes from outside, applied in their order; paths in them are
+///                   relative to their folder.
 /// @param load       makes the kinds of the scenario's plugins known: it adds them to the
 ///                   table that `kinds` is. Without it a scenario can have no plugins.
 /// Never throws for what a file holds. A 10 MB file takes a few seconds.
@@ -42,6 +42,15 @@ ReadOutcome read_scenario_text(std::string_view text, const std::string& name,
                                const KindTable& kinds,
                                std::span<const Override> overrides = {},
                                const LoadPlugin& load = {});
+
+/// What the scenario of a recorded run says, for those who show the run and do not run
+/// it: no plugin is loaded, no file looked for. A kind that is not Skein's is there by
+/// its name alone, without options.
+ReadOutcome read_recorded_scenario(const std::filesystem::path& path,
+                                   const KindTable& kinds);
+ReadOutcome read_recorded_scenario_text(std::string_view text, const std::string& name,
+                                        const std::filesystem::path& folder,
+                                        const KindTable& kinds);
 
 /// The scenario as a YAML file with every key written out. Reading that gives an equal
 /// scenario, bit by bit, when this one came from reading.

@@ -49,6 +49,7 @@ struct Expected {
     return t.place ? pair + ", a latitude and longitude or a feature" : pair;
   }
   std::string operator()(const FileType& t) {
+    if (t.or_name) return "a name or a .yaml file that exists";
     return std::string(t.folder ? "a folder that exists" : "a file that exists") +
            (t.may_be_empty ? ", or \"\" for none" : "");
   }

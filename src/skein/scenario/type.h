@@ -73,6 +73,10 @@ struct BooleanType {};
 struct TextType {
   std::vector<std::string> allowed;  ///< empty: any
   bool utc = false;                  ///< a moment, see utc.h
+  /// A word of a command that is run: it needs consent, and its first word may be a file.
+  bool program = false;
+  bool order =
+      false;  ///< a command of an operator; the file that it may name is absolute
 };
 
 /// One of some words, each standing for an enumerator.
@@ -98,6 +102,9 @@ struct PointType {
 struct FileType {
   bool may_be_empty = false;  ///< "" = no file
   bool folder = false;        ///< a folder instead
+  /// What does not end in .yaml or .yml is the name of something that is part of the
+  /// program, whatever files there are.
+  bool or_name = false;
 };
 
 /// Elements of one type; a std::vector.

@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 
-#include "skein/assemble/load_plugin.h"
 #include "skein/assemble/serve/map_record.h"
 #include "skein/assemble/serve/record_thinner.h"
 #include "skein/assemble/serve/run_page.h"
@@ -189,14 +188,13 @@ class RunPacker {
 };
 
 // As the page of the run would have it; without the origin where the scenario cannot be
-// read, because a plugin of its is no more for instance.
+// read.
 std::string describe(const fs::path& directory, const record::RecordStream& recorded,
                      const TerrainPatch& terrain, const Extent& extent) {
   const record::RunInfo& info = recorded.info();
-  KindRegistry kinds;
-  auto outcome = scenario::read_scenario_text(
-      info.scenario_text, info.name, directory, kinds.table(), {},
-      [&kinds](const std::string& plugin) { return load_plugin(plugin, kinds); });
+  const KindRegistry kinds;
+  auto outcome = scenario::read_recorded_scenario_text(info.scenario_text, info.name,
+                                                       directory, kinds.table());
   const bool is_readable = outcome.ok();
   const scenario::Scenario scenario =
       is_readable ? *std::move(outcome.scenario) : scenario::Scenario();

@@ -218,7 +218,8 @@ TEST(LoadPlugin, RefusesOtherSharedLibraries) {
 TEST(PluginsOfAScenario, AreLoadedBeforeItsKindsAreRead) {
   KindRegistry kinds;
   std::vector<std::string> asked;
-  const auto load = [&](const std::string& file) -> Result<void> {
+  const auto load = [&](const std::string& file,
+                        const scenario::Source&) -> Result<void> {
     asked.push_back(file);
     return kinds.add(with_radio("patient"), file);
   };
@@ -231,7 +232,8 @@ TEST(PluginsOfAScenario, AreLoadedBeforeItsKindsAreRead) {
 
   const auto refused = scenario::read_scenario_text(
       "name: x\nplugins: ['" + file + "']\nradio: no-such-kind", "test", ".",
-      kinds.table(), {}, [](const std::string& plugin) -> Result<void> {
+      kinds.table(), {},
+      [](const std::string& plugin, const scenario::Source&) -> Result<void> {
         return Error{ErrorCode::kBadInput, plugin, "is not good.", ""};
       });
   ASSERT_EQ(refused.problem_count, 1u) << refused.report();
@@ -242,6 +244,35 @@ TEST(PluginsOfAScenario, AreLoadedBeforeItsKindsAreRead) {
                                                     kinds.table(), {}, load);
   ASSERT_EQ(missing.problem_count, 1u) << missing.report();
   EXPECT_NE(missing.report().find("test:1:11 plugins[0]"), std::string::npos);
+}
+
+// A library that a scenario names is code: without consent it is not even opened.
+TEST(PluginsOfAScenario, NeedConsent) {
+  class Asked final : public CodeConsent {
+   public:
+    Result<void> library(const std::string& file, const scenario::Source& in) override {
+      file_ = file;
+      text_ = *in.text;
+      return Error{ErrorCode::kUnavailable, file, "may not.", ""};
+    }
+    Result<void> programs(const std::vector<std::vector<std::string>>&,
+                          const scenario::Source&) override {
+      return {};
+    }
+    std::string file_, text_;
+  };
+  KindRegistry kinds;
+  const scenario::Source source{
+      {}, {}, std::make_shared<const std::string>("the scenario")};
+  const auto nobody = load_named_plugin(SKEIN_OTHER_LIBRARY, source, kinds);
+  ASSERT_FALSE(nobody);
+  EXPECT_NE(nobody.error().message.find("nobody consents"), std::string::npos);
+  const auto asked = std::make_shared<Asked>();
+  kinds.ask(asked);
+  EXPECT_EQ(load_named_plugin(SKEIN_OTHER_LIBRARY, source, kinds).error().message,
+            "may not.");
+  EXPECT_EQ(asked->file_, std::filesystem::canonical(SKEIN_OTHER_LIBRARY).string());
+  EXPECT_EQ(asked->text_, "the scenario");
 }
 
 }  // namespace

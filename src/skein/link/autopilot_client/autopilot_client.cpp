@@ -95,6 +95,7 @@ AutopilotClient::AutopilotClient(const AutopilotClientOptions& options,
 
 void AutopilotClient::close(Channel channel) {
   channels_.erase(channel);
+  exposed_.erase(channel);
   if (channel_ != channel) return;
   channel_.reset();
   if (up_) go_down("its connection was closed");
@@ -120,6 +121,8 @@ struct AutopilotClient::Handler {
   }
   void operator()(const mavlink::GlobalPositionInt& m) const {
     self.hear_position(m, now);
+    self.note_double(
+        self.identity_.take_position(m.lat, m.lon, from_ms(m.time_boot_ms), now), now);
   }
   void operator()(const mavlink::SystemTime& m) const {
     self.hear_clock(from_ms(m.time_boot_ms), now);
@@ -170,13 +173,14 @@ bool AutopilotClient::accepts(const mavlink::Frame& frame, Channel from, Time no
     return false;
   if (!channel_ || *channel_ == from || !up_) return true;
   // Somebody with its number, heard elsewhere while it is heard where it was.
-  if (frame.id() == mavlink::kFacts<mavlink::Heartbeat>.id) {
-    if (now - heard_ > options_.silence) return true;
-    if (!std::exchange(duplicate_, true))
-      report_change(Kind::kDuplicate,
-                    fmt::format("another vehicle has number {} too; the first one counts",
-                                options_.system));
-  }
+  if (frame.id() == mavlink::kFacts<mavlink::Heartbeat>.id &&
+      now - heard_ > options_.silence)
+    return true;
+  duplicate_at_ = now;
+  if (!std::exchange(duplicate_, true))
+    report_change(Kind::kDuplicate,
+                  fmt::format("another vehicle has number {} too; the first one counts",
+                              options_.system));
   return false;
 }
 
@@ -189,6 +193,7 @@ void AutopilotClient::receive(const mavlink::Frame& frame, Channel from, Time no
   // Before its first heartbeat nothing tells what it is.
   if (!up_ && frame.id() != mavlink::kFacts<mavlink::Heartbeat>.id) return;
   if (up_) heard_ = now;
+  note_double(identity_.take_sequence(frame.sequence(), now), now);
   using namespace mavlink;  // NOLINT: a list of messages
   dispatch<mavlink::Heartbeat, GlobalPositionInt, Attitude, VfrHud, Wind, WindCov,
            GpsRawInt, SysStatus, ExtendedSysState, HomePosition, SystemTime, Timesync,
@@ -206,8 +211,11 @@ void AutopilotClient::hear_heartbeat(const mavlink::Heartbeat& heartbeat, Channe
   heard_ = heartbeat_ = now;
   channel_ = from;
   if (!up_) {
-    come_up(fmt::format("{}, {}", name_of(telemetry_.make()),
-                        telemetry_.condition().mode_name));
+    come_up(fmt::format("{}, {}{}", name_of(telemetry_.make()),
+                        telemetry_.condition().mode_name,
+                        exposed_.contains(from)
+                            ? "; not signed: whoever reaches the link may speak for it"
+                            : ""));
     set_up(now);
   }
   const bool other = telemetry_.hovers() != options_.hovers;
@@ -222,9 +230,23 @@ void AutopilotClient::hear_heartbeat(const mavlink::Heartbeat& heartbeat, Channe
   mismatched_ = mismatched_ || other;
 }
 
+// Two speak as one on its channel, if `found` says so.
+void AutopilotClient::note_double(const std::optional<std::string>& found, Time now) {
+  two_speak_ = identity_.is_ambiguous(now);
+  if (found || two_speak_ || ambiguous_) duplicate_at_ = now;
+  if (now - duplicate_at_ > kOneAgain) duplicate_ = false;
+  if (!found || std::exchange(duplicate_, true)) return;
+  report_change(
+      Kind::kDuplicate,
+      fmt::format("{}: another vehicle may have number {}, or somebody speaks "
+                  "in its name{}",
+                  *found, options_.system, two_speak_ ? "; neither is commanded" : ""));
+}
+
 void AutopilotClient::come_up(const std::string& text) {
   up_ = true;
-  duplicate_ = ambiguous_ = mismatched_ = false;
+  duplicate_ = ambiguous_ = mismatched_ = two_speak_ = false;
+  identity_.forget();
   report_change(Kind::kUp, was_up_ ? "heard again: " + text : "heard: " + text);
   was_up_ = true;
   condition_due_ = Time();
@@ -308,6 +330,7 @@ void AutopilotClient::hear_clock(Time boot, Time now) {
       mismatched_ = false;
       commands_.abandon("the vehicle has rebooted");
       fences_.abandon("the vehicle has rebooted");
+      identity_.forget();
       set_ups_.abandon("the vehicle has rebooted");
       motion_.reset();
       report_change(Kind::kRebooted, fmt::format("its clock went back from {:.1f} to "

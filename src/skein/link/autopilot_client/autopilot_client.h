@@ -13,6 +13,7 @@
 #include "skein/geo/local_frame.h"
 #include "skein/link/autopilot_client/clock_alignment.h"
 #include "skein/link/autopilot_client/command_sender.h"
+#include "skein/link/autopilot_client/identity_watch.h"
 #include "skein/link/autopilot_client/telemetry.h"
 #include "skein/link/mavlink/frame.h"
 #include "skein/link/mavlink/sequence_watch.h"
@@ -62,7 +63,12 @@ class AutopilotClient {
   std::uint8_t system() const { return options_.system; }
 
   /// A peer by which the vehicle may be reached.
-  void open(Channel channel) { channels_.insert(channel); }
+  /// @param exposed  it is beyond this machine and frames are not signed: whoever gets
+  ///                 there may speak for the vehicle, which is said with the link.
+  void open(Channel channel, bool exposed = false) {
+    channels_.insert(channel);
+    if (exposed) exposed_.insert(channel);
+  }
   void close(Channel channel);
 
   /// Takes in a frame of its vehicle; passes over those of others.
@@ -107,6 +113,7 @@ class AutopilotClient {
   PreflightResult check(Time now) const;
   bool admits(std::uint32_t number, const VehicleRequest& request, Time now);
   void say_absence(Time now);
+  void note_double(const std::optional<std::string>& found, Time now);
   void hear_text(const mavlink::Statustext& text, Time now);
   void hear_identity(const mavlink::AutopilotVersion& version);
   void come_up(const std::string& text);
@@ -119,7 +126,7 @@ class AutopilotClient {
   void request_fence(std::uint32_t number, const FenceUpload& fence);
   void refuse(std::uint32_t number, RequestAnswer::Outcome outcome, std::string why);
   void step_requests(Time now, Outbox& out);
-  bool ours() const { return !mismatched_ && !ambiguous_; }
+  bool ours() const { return !mismatched_ && !ambiguous_ && !two_speak_; }
   // In flight: it is where it is to be when it is first commanded.
   bool placed() const {
     return commanded_ || !options_.start || telemetry_.condition().on_ground ||
@@ -135,7 +142,10 @@ class AutopilotClient {
   CommandSender set_ups_;  // the same, for what is asked for when the link comes up
   FeedHealth feeds_;
   mavlink::SequenceWatch sequence_;
-  std::set<Channel> channels_;
+  IdentityWatch identity_;
+  bool two_speak_ = false;  // as IdentityWatch has it
+  Time duplicate_at_;       // a sign of it, last
+  std::set<Channel> channels_, exposed_;
   std::optional<Channel> channel_;  // by which it is heard
   bool up_ = false, mismatched_ = false, duplicate_ = false;
   bool ambiguous_ = false;  // two answer by one channel

@@ -15,15 +15,28 @@ void LinkSecurity::secure(Channel channel, std::uint8_t link_id) {
   signers_.insert_or_assign(channel, Signer(key_, link_id, last_));
 }
 
-bool LinkSecurity::admits(Channel channel, const Frame& frame) {
-  if (!is_secured(channel)) return true;
-  if (frame.id() == kFacts<RadioStatus>.id || frame.id() == kFacts<Radio>.id) return true;
-  if (checker_->check(frame, std::max(now_, last_)) != SignatureVerdict::kValid) {
-    ++refused_;
-    return false;
+LinkSecurity::Admission LinkSecurity::judge(Channel channel, const Frame& frame) {
+  const bool secured = is_secured(channel);
+  if (frame.id() == kFacts<RadioStatus>.id || frame.id() == kFacts<Radio>.id)
+    return Admission::kTaken;
+  if (secured && frame.is_signed()) {
+    if (checker_->check(frame, std::max(now_, last_)) != SignatureVerdict::kValid) {
+      ++refused_;
+      return Admission::kRefused;
+    }
+    last_ = std::max(last_, signing_time(frame));
+    return Admission::kTaken;
   }
-  last_ = std::max(last_, signing_time(frame));
-  return true;
+  const auto said = unsigned_.find(channel);
+  const UnsignedFrames allowed = said != unsigned_.end() ? said->second
+                                 : secured               ? UnsignedFrames::kNothing
+                                                         : UnsignedFrames::kAll;
+  if (allowed == UnsignedFrames::kAll) return Admission::kTaken;
+  if (allowed == UnsignedFrames::kTelemetry && changes_nothing(frame))
+    return Admission::kTaken;
+  ++refused_;
+  return allowed == UnsignedFrames::kTelemetry ? Admission::kOrderRefused
+                                               : Admission::kRefused;
 }
 
 }  // namespace skein::mavlink

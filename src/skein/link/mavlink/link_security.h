@@ -8,6 +8,7 @@
 #include "skein/link/mavlink/frame.h"
 #include "skein/link/mavlink/frame_writer.h"
 #include "skein/link/mavlink/signing.h"
+#include "skein/link/mavlink/unsigned_frames.h"
 
 namespace skein::mavlink {
 
@@ -15,8 +16,9 @@ namespace skein::mavlink {
 ///
 /// What goes out over a secured link is signed. What comes in over one counts only when
 /// it is signed with the same key, later than what came before in its stream; reports of
-/// radios (RADIO_STATUS, RADIO), which cannot sign, are let through. Links that are not
-/// secured are as without a key.
+/// radios (RADIO_STATUS, RADIO), which cannot sign, are let through. What is not signed
+/// may do what allow_unsigned() says; by default nothing over secured links, all over
+/// others.
 class LinkSecurity {
  public:
   using Channel = std::uint32_t;
@@ -36,11 +38,29 @@ class LinkSecurity {
   /// Secures a link, until it is closed. Only with a key.
   /// @param link_id  distinguishes the links that this program signs on.
   void secure(Channel channel, std::uint8_t link_id);
-  void close(Channel channel) { signers_.erase(channel); }
+  void close(Channel channel) {
+    signers_.erase(channel);
+    unsigned_.erase(channel);
+  }
+  /// What frames without a signature may do that come in over a link, until it is closed.
+  /// After secure().
+  void allow_unsigned(Channel channel, UnsignedFrames what) {
+    unsigned_.insert_or_assign(channel, what);
+  }
   bool is_secured(Channel channel) const { return signers_.contains(channel); }
 
-  /// Whether a frame that came in counts. To be asked once for each.
-  bool admits(Channel channel, const Frame& frame);
+  /// What becomes of a frame that came in.
+  enum class Admission {
+    kTaken,
+    kRefused,       ///< its signature is missing or wrong
+    kOrderRefused,  ///< it is not signed, and would be more than a report or a question
+  };
+  /// To be asked once for each.
+  Admission judge(Channel channel, const Frame& frame);
+  /// Whether judge() takes it.
+  bool admits(Channel channel, const Frame& frame) {
+    return judge(channel, frame) == Admission::kTaken;
+  }
 
   /// A frame as it is to go out, in memory that the writer uses again.
   template <Message T>
@@ -64,6 +84,7 @@ class LinkSecurity {
   SigningKey key_{};
   std::optional<SignatureChecker> checker_;  // none: there is no key
   std::map<Channel, Signer> signers_;
+  std::map<Channel, UnsignedFrames> unsigned_;  // where it was said
   std::uint64_t now_ = 0, last_ = 0, refused_ = 0;
 };
 

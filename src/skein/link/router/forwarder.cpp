@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "skein/link/mavlink/unsigned_frames.h"
+
 namespace skein::router {
 namespace {
 
@@ -11,7 +13,9 @@ constexpr std::size_t kMaxGone = 100;
 
 void Forwarder::opened(transport::ChannelId channel, transport::EndpointId,
                        const std::string& name) {
-  peers_[channel].health.name = name;
+  Peer& peer = peers_[channel];
+  peer.health.name = name;
+  peer.is_local = transport::is_local_channel(name);
   router_.open(channel);
   news_(fmt::format("{} is open", name));
 }
@@ -21,6 +25,13 @@ void Forwarder::received(transport::ChannelId channel, std::span<const std::byte
   peer.parser.read(bytes, [&](const mavlink::Frame& frame) {
     peer.watch.hear(frame);
     if (tlog_ && !carries_key(frame)) tlog_->write(clock_(), frame);
+    if (!unsigned_orders_ && !peer.is_local && !frame.is_signed() &&
+        !mavlink::changes_nothing(frame)) {
+      if (++refused_orders_ == 1)
+        news_(fmt::format("{}: commands without a signature are not handed on",
+                          peer.health.name));
+      return;
+    }
     router_.route(channel, frame, to_);
     for (const Channel to : to_) {
       ChannelHealth& there = peers_.at(to).health;

@@ -40,6 +40,12 @@ class Forwarder final : public transport::ChannelListener {
 
   transport::Endpoints& endpoints() { return endpoints_; }
 
+  /// Whether commands, parameters and missions without a signature are handed on that
+  /// come from beyond this machine (mavlink::changes_nothing()); as they are by default.
+  void hand_on_unsigned_orders(bool yes) { unsigned_orders_ = yes; }
+  /// Of those, how many were not.
+  std::uint64_t refused_orders() const { return refused_orders_; }
+
   void record_to(mavlink::TlogWriter tlog) { tlog_ = std::move(tlog); }
   /// Fails: as TlogWriter::flush(); never without a record.
   Result<void> flush();
@@ -52,6 +58,7 @@ class Forwarder final : public transport::ChannelListener {
     ChannelHealth health;
     mavlink::FrameParser parser;
     mavlink::SequenceWatch watch;
+    bool is_local = true;
   };
 
   void opened(transport::ChannelId channel, transport::EndpointId endpoint,
@@ -67,6 +74,8 @@ class Forwarder final : public transport::ChannelListener {
   FrameRouter router_;
   std::vector<Channel> to_;  // used again for each frame
   std::optional<mavlink::TlogWriter> tlog_;
+  bool unsigned_orders_ = true;
+  std::uint64_t refused_orders_ = 0;
   transport::Endpoints endpoints_;
 };
 

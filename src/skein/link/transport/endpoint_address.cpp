@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <filesystem>
 #include <limits>
 #include <optional>
+#include <system_error>
 
 namespace skein::transport {
 namespace {
@@ -158,6 +160,34 @@ std::optional<EndpointAddress> counterpart(const EndpointAddress& address) {
   if (const auto* client = std::get_if<UdpClient>(&address)) return UdpServer{client->to};
   if (const auto* client = std::get_if<TcpClient>(&address)) return TcpServer{client->to};
   return std::nullopt;
+}
+
+namespace {
+
+bool is_loopback(const std::string& host) {
+  return host == "localhost" ||
+         (host.starts_with("127.") &&
+          host.find_first_not_of("0123456789.") == std::string::npos);
+}
+
+struct IsLocal {
+  bool operator()(const UdpServer& a) const { return is_loopback(a.at.host); }
+  bool operator()(const TcpServer& a) const { return is_loopback(a.at.host); }
+  bool operator()(const UdpClient& a) const { return is_loopback(a.to.host); }
+  bool operator()(const TcpClient& a) const { return is_loopback(a.to.host); }
+  bool operator()(const UdpBroadcast& a) const { return is_loopback(a.to.host); }
+  bool operator()(const UdpMulticast& a) const { return is_loopback(a.interface); }
+  bool operator()(const SerialLine& a) const {
+    std::error_code error;
+    const auto device = std::filesystem::canonical(a.device, error);
+    return !error && device.string().starts_with("/dev/pts/");
+  }
+};
+
+}  // namespace
+
+bool is_local(const EndpointAddress& address) {
+  return std::visit(IsLocal{}, address);
 }
 
 }  // namespace skein::transport

@@ -63,6 +63,10 @@ EndpointAddress moved(const EndpointAddress& address, int ports);
 /// The text that parse_endpoint() reads as this address.
 std::string text_of(const EndpointAddress& address);
 
+/// Whether only programs of this machine can be met there: loopback addresses and
+/// pseudo-terminals.
+bool is_local(const EndpointAddress& address);
+
 /// The other end of the line, for another program of the same machine: a client for a
 /// server and a server for a client; none for the others.
 std::optional<EndpointAddress> counterpart(const EndpointAddress& address);

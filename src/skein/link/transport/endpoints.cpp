@@ -97,4 +97,12 @@ bool Endpoints::run_one_for(std::chrono::nanoseconds patience) {
   return io.poll_one() > 0 || io.run_one_for(patience) > 0;
 }
 
+bool is_local_channel(const std::string& name) {
+  constexpr std::string_view kFrom = " from ";  // as servers name their peers
+  const std::size_t from = name.find(kFrom);
+  const auto address = parse_endpoint(
+      from == std::string::npos ? name : "tcp:" + name.substr(from + kFrom.size()));
+  return address && is_local(address.value());
+}
+
 }  // namespace skein::transport

@@ -32,6 +32,13 @@ class ChannelListener {
   virtual void closed(ChannelId channel, const std::string& why) = 0;
 };
 
+/// Whether only programs of this machine are at the far end of a channel.
+/// @param name  as ChannelListener::opened() has it: the peer of a server, or the place
+/// of
+///              a client. A serial line is a way out of the machine, a pseudo-terminal
+///              not.
+bool is_local_channel(const std::string& name);
+
 /// Sockets and serial lines, without threads of their own: everything happens in
 /// run_for() and run_one_for(), in the thread of their caller.
 ///

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <utility>
 
+#include "skein/base/log.h"
+#include "skein/link/vehicle_services/refused_order.h"
 #include "skein/link/vehicle_services/vehicle_numbers.h"
 
 namespace skein::vehicle_links {
@@ -24,6 +26,7 @@ const Time kShownPeriod = Time::from_seconds(0.02);
 // Telemetry of many vehicles goes out in few datagrams: buffers of sockets hold some
 // hundreds of them, however small.
 constexpr std::size_t kMaxDatagram = 1400;
+const Time kRefusalPeriod = Time::from_seconds(60);
 constexpr std::size_t kMaxTraffic = 20'000;  // while nobody takes it
 constexpr std::size_t kMaxRequests = 1000;   // of a vehicle, while nobody takes them
 
@@ -142,7 +145,12 @@ transport::EndpointId VehicleLinks::endpoint_of(const LinkEndpoint& endpoint) {
 
 // Whoever shares an endpoint shares its key.
 Result<void> VehicleLinks::same_security(const LinkEndpoint& endpoint) {
-  if (planned_[endpoint_of(endpoint)].endpoint.is_signed == endpoint.is_signed) return {};
+  const LinkEndpoint& known = planned_[endpoint_of(endpoint)].endpoint;
+  if (known.unsigned_frames != endpoint.unsigned_frames)
+    return Error{ErrorCode::kBadInput, transport::text_of(endpoint.address),
+                 "is an endpoint twice, with two values of unsigned.",
+                 "Give the same, or each an endpoint of its own."};
+  if (known.is_signed == endpoint.is_signed) return {};
   return Error{ErrorCode::kBadInput, transport::text_of(endpoint.address),
                "is an endpoint twice, once signed and once not.",
                "Say the same of both, or give each an endpoint of its own."};
@@ -491,20 +499,54 @@ void VehicleLinks::send_gathered(transport::ChannelId channel, Peer& peer) {
 }
 
 void VehicleLinks::opened(transport::ChannelId channel, transport::EndpointId endpoint,
-                          const std::string&) {
+                          const std::string& name) {
   Peer& peer = peers_[channel];
   peer.endpoint = endpoint;
   const Planned& planned = planned_[endpoint];
   peer.station = planned.station;
   peer.group = planned.group;
-  if (planned.endpoint.is_signed)
-    security_.secure(channel, static_cast<std::uint8_t>(endpoint + 1));
+  peer.name = name;
+  const bool is_local = transport::is_local_channel(name);
+  secure(planned, channel, endpoint, is_local);
   router_.open(channel);
   if (peer.station)
     for (const auto& shown : shown_)
       if (shown->group == peer.group) shown->server.open(channel, clocks(now()));
   for (const auto& vehicle : vehicles_)
-    if (vehicle->endpoint == endpoint) vehicle->client.open(channel);
+    if (vehicle->endpoint == endpoint)
+      vehicle->client.open(channel, !is_local && !planned.endpoint.is_signed);
+}
+
+// A vehicle may always report: what it is sent is no matter of its signatures.
+void VehicleLinks::secure(const Planned& planned, transport::ChannelId channel,
+                          transport::EndpointId endpoint, bool is_local) {
+  using mavlink::UnsignedFrames;
+  const LinkEndpoint& at = planned.endpoint;
+  if (at.is_signed) security_.secure(channel, static_cast<std::uint8_t>(endpoint + 1));
+  if (!planned.station) return;
+  const UnsignedFrames usual = at.is_signed ? UnsignedFrames::kNothing
+                               : is_local   ? UnsignedFrames::kAll
+                                            : UnsignedFrames::kTelemetry;
+  security_.allow_unsigned(channel, at.unsigned_frames.value_or(usual));
+}
+
+// Answers an order that is not signed, and says so to the station and in the log: once to
+// each, and once a minute.
+void VehicleLinks::refuse(Peer& peer, transport::ChannelId channel,
+                          const mavlink::Frame& frame) {
+  ++refused_orders_;
+  const Time now = this->now();
+  const auto shown = shown_at_.find({peer.group, frame.target_system()});
+  Shown* target = shown == shown_at_.end() ? nullptr : shown->second;
+  vehicle_services::refuse_order(frame, channel, target ? target->out : out_);
+  if (!std::exchange(peer.refused, true) && target)
+    target->server.say(mavlink::Severity::kWarning, "Refused: commands must be signed");
+  if (now < refusal_due_) return;
+  refusal_due_ = now + kRefusalPeriod;
+  log_warning(
+      "{}: a command is refused, since it is not signed ({} so far); see "
+      "links.ground_stations.unsigned",
+      peer.name, refused_orders_);
 }
 
 void VehicleLinks::closed(transport::ChannelId channel, const std::string&) {
@@ -524,7 +566,10 @@ void VehicleLinks::received(transport::ChannelId channel,
   const Time arrived = now();
   Peer& peer = peers_.at(channel);
   peer.parser.read(bytes, [&](const mavlink::Frame& frame) {
-    if (!security_.admits(channel, frame)) return;
+    using Admission = mavlink::LinkSecurity::Admission;
+    const Admission admission = security_.judge(channel, frame);
+    if (admission == Admission::kOrderRefused) refuse(peer, channel, frame);
+    if (admission != Admission::kTaken) return;
     if (peer.station) {
       serve(peer, channel, frame, arrived);
     } else {

@@ -33,6 +33,9 @@ struct LinkEndpoint {
   transport::EndpointAddress address;
   /// Frames are signed, and unsigned ones refused, by the key of set_key().
   bool is_signed = false;
+  /// What stations that do not sign may do. None: where frames are signed nothing, else
+  /// all on this machine, and telemetry beyond it.
+  std::optional<mavlink::UnsignedFrames> unsigned_frames = {};
 };
 
 /// A vehicle at the far end of an endpoint.
@@ -133,8 +136,10 @@ class VehicleLinks final : public transport::ChannelListener {
   struct Peer {
     mavlink::FrameParser parser;
     transport::EndpointId endpoint = 0;
+    std::string name = {};  // for people
     bool station = false;
     std::uint16_t group = 0;
+    bool refused = false;  // an order, and it was said
     std::uint64_t sent = 0, dropped = 0;
     std::vector<std::byte> gathered;  // frames that go out together
     std::uint64_t gathered_frames = 0;
@@ -150,6 +155,9 @@ class VehicleLinks final : public transport::ChannelListener {
   void step_shown(Time now);
   void serve(const Peer& peer, transport::ChannelId channel, const mavlink::Frame& frame,
              Time now);
+  void secure(const Planned& planned, transport::ChannelId channel,
+              transport::EndpointId endpoint, bool is_local);
+  void refuse(Peer& peer, transport::ChannelId channel, const mavlink::Frame& frame);
   vehicle_services::Clocks clocks(Time now) const {
     return {now, Time::from_ns(simulated_ns_)};
   }
@@ -195,6 +203,8 @@ class VehicleLinks final : public transport::ChannelListener {
   std::vector<router::Channel> to_;  // used again for each frame
   bool gathers_ = false;             // what is for stations
   mavlink::LinkSecurity security_;
+  std::uint64_t refused_orders_ = 0;
+  Time refusal_due_;  // of the next word about them
   vehicle_services::Outbox out_;
   transport::Endpoints endpoints_;
   std::atomic<bool> stop_ = false;

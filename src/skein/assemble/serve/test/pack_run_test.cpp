@@ -187,9 +187,20 @@ TEST(PackRun, DescribesTheRunAsItsPageDoes) {
   EXPECT_EQ(run.terrain.size(), 32U + 4 * 4);
 }
 
+TEST(PackRun, ARunIsDescribedWithoutThePluginsAndFilesOfItsScenario) {
+  const record::TemporaryFolder folder("elsewhere");
+  make_run(folder.path(), 20, 2, 1,
+           "plugins: [/nowhere/kinds.so]\nradio: {kind: of-the-plugin, power_w: 2}\n"
+           "links: {key_file: /nowhere/key}\n"
+           "origin: {latitude_deg: 37, longitude_deg: -122}\n");
+  const auto run = pack_run(folder.path(), 1);
+  ASSERT_TRUE(run);
+  EXPECT_EQ(Json::parse(run.value().description)["origin"]["latitude_deg"], 37);
+}
+
 TEST(PackRun, ARunWhoseScenarioCannotBeReadHasNoOrigin) {
   const record::TemporaryFolder folder("unread");
-  make_run(folder.path(), 20, 2, 1, "plugins: [/nowhere/kinds.so]\n");
+  make_run(folder.path(), 20, 2, 1, "no_such_key: 1\n");
   const auto run = pack_run(folder.path(), 1);
   ASSERT_TRUE(run);
   EXPECT_TRUE(Json::parse(run.value().description)["origin"].is_null());

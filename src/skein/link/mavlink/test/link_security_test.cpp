@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/link/mavlink/constants.h"
 #include "skein/link/mavlink/frame_parser.h"
 #include "skein/link/mavlink/messages.h"
 #include "skein/link/mavlink/signing_key_file.h"
@@ -170,6 +171,60 @@ TEST_F(KeyFile, IsRefusedWhenItHoldsNoKey) {
   }
   EXPECT_EQ(read_signing_key(folder_ / "none").error().code, ErrorCode::kNotFound);
   EXPECT_EQ(read_signing_key(folder_).error().code, ErrorCode::kBadInput);
+}
+
+// Over a link without a key: who does not sign may report and ask.
+TEST(LinkSecurity, UnsignedFramesMayBeLimitedToTelemetry) {
+  using Admission = LinkSecurity::Admission;
+  Program plain("none");
+  LinkSecurity open;
+  open.allow_unsigned(kLink, UnsignedFrames::kTelemetry);
+  const auto judge = [&](const auto& message) {
+    Admission verdict{};
+    FrameParser parser;
+    const auto bytes = plain.write(message);
+    parser.read(bytes, [&](const Frame& frame) { verdict = open.judge(kLink, frame); });
+    return verdict;
+  };
+  CommandLong question;
+  question.command = static_cast<std::uint16_t>(CommandId::kRequestMessage);
+  CommandLong arm;
+  arm.command = static_cast<std::uint16_t>(CommandId::kArm);
+  CommandInt reposition;
+  reposition.command = static_cast<std::uint16_t>(CommandId::kReposition);
+  EXPECT_EQ(judge(Heartbeat()), Admission::kTaken);
+  EXPECT_EQ(judge(GlobalPositionInt()), Admission::kTaken);
+  EXPECT_EQ(judge(ParamRequestList()), Admission::kTaken);
+  EXPECT_EQ(judge(MissionRequestList()), Admission::kTaken);
+  EXPECT_EQ(judge(question), Admission::kTaken);
+  EXPECT_EQ(judge(arm), Admission::kOrderRefused);
+  EXPECT_EQ(judge(reposition), Admission::kOrderRefused);
+  EXPECT_EQ(judge(ParamSet()), Admission::kOrderRefused);
+  EXPECT_EQ(judge(SetMode()), Admission::kOrderRefused);
+  EXPECT_EQ(judge(MissionCount()), Admission::kOrderRefused);
+  EXPECT_EQ(judge(MissionClearAll()), Admission::kOrderRefused);
+  EXPECT_EQ(judge(MissionSetCurrent()), Admission::kOrderRefused);
+  EXPECT_EQ(judge(RcChannelsOverride()), Admission::kOrderRefused);
+  EXPECT_EQ(judge(ManualControl()), Admission::kOrderRefused);
+  EXPECT_EQ(judge(SetPositionTargetGlobalInt()), Admission::kOrderRefused);
+  EXPECT_EQ(judge(SetAttitudeTarget()), Admission::kOrderRefused);
+  EXPECT_EQ(judge(FileTransferProtocol()), Admission::kOrderRefused);
+  EXPECT_EQ(judge(HilGps()), Admission::kOrderRefused);
+  EXPECT_EQ(open.refused(), 12U);
+  open.close(kLink);
+  EXPECT_EQ(judge(arm), Admission::kTaken) << "the next link is as by default";
+}
+
+TEST(LinkSecurity, AKeyedLinkMayReadUnsignedTelemetry) {
+  Program ours("a"), plain("none");
+  ours.security.secure(kLink, 3);
+  EXPECT_FALSE(ours.admits(plain.write(Heartbeat())));
+  ours.security.allow_unsigned(kLink, UnsignedFrames::kTelemetry);
+  EXPECT_TRUE(ours.admits(plain.write(Heartbeat())));
+  EXPECT_FALSE(ours.admits(plain.write(ParamSet())));
+  Program theirs("a");
+  theirs.security.secure(kLink, 3);
+  EXPECT_TRUE(ours.admits(theirs.write(ParamSet()))) << "signed ones may";
 }
 
 }  // namespace

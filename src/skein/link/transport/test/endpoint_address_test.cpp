@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "skein/link/transport/endpoints.h"
+
 namespace skein::transport::endpoint_address_test {
 namespace {
 
@@ -46,6 +48,25 @@ TEST(EndpointAddress, SaysWhatIsWrong) {
         << address.error().text();
     EXPECT_NE(address.error().text().find("udpbcast:ADDRESS:PORT"), std::string::npos);
   }
+}
+
+TEST(EndpointAddress, IsLocalOnLoopbackAddressesAndPseudoTerminals) {
+  const auto local = [](const char* text) {
+    return is_local(parse_endpoint(text).value());
+  };
+  for (const char* text :
+       {"udpin:14550", "udpin:127.0.0.1:14550", "udpout:127.0.0.1:14550",
+        "udpout:localhost:14550", "tcpin:5760", "tcp:127.1.2.3:5760"})
+    EXPECT_TRUE(local(text)) << text;
+  for (const char* text :
+       {"udpin:0.0.0.0:14550", "udpout:10.0.0.2:14550", "tcpin:0.0.0.0:5760",
+        "tcp:autopilot:5760", "udpbcast:10.0.0.255:14550", "serial:/dev/ttyS99"})
+    EXPECT_FALSE(local(text)) << text;
+  // As servers name their peers.
+  EXPECT_TRUE(is_local_channel("udpin:0.0.0.0:14550 from 127.0.0.1:40000"));
+  EXPECT_FALSE(is_local_channel("udpin:0.0.0.0:14550 from 10.0.0.2:40000"));
+  EXPECT_FALSE(is_local_channel("tcpin:127.0.0.1:1 from 10.127.0.1:127"));
+  EXPECT_FALSE(is_local_channel("no endpoint"));
 }
 
 }  // namespace

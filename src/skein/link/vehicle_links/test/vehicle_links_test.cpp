@@ -8,6 +8,8 @@
 #include <map>
 #include <memory>
 
+#include "skein/link/mavlink/constants.h"
+#include "skein/link/mavlink/payload.h"
 #include "skein/link/vehicle_links/mailbox.h"
 #include "skein/link/vehicle_links/test/stand_ins.h"
 #include "skein/link/vehicle_links/traffic_feed.h"
@@ -198,6 +200,92 @@ TEST(VehicleLinks, ASimulatedAircraftWithTheNumberOfARealOneIsRefused) {
   ASSERT_FALSE(started.ok());
   EXPECT_NE(started.error().text().find("real has system id 2"), std::string::npos)
       << started.error().text();
+}
+
+// A ground station at the far end of a socket, which does not sign.
+class PlainStation final : public transport::ChannelListener {
+ public:
+  explicit PlainStation(const std::string& server) {
+    const std::string at = "udpout" + server.substr(server.find(':'));
+    EXPECT_TRUE(endpoints_.open(transport::parse_endpoint(at).value()).ok());
+  }
+
+  template <class T>
+  void send(const T& message) {
+    out_.send(channel_, message);
+  }
+  void run(std::chrono::milliseconds duration) { endpoints_.run_for(duration); }
+
+  std::vector<mavlink::CommandAck> acks;
+  int texts = 0, heartbeats = 0;
+
+ private:
+  void opened(transport::ChannelId channel, transport::EndpointId,
+              const std::string&) override {
+    channel_ = channel;
+  }
+  void closed(transport::ChannelId, const std::string&) override {}
+  void received(transport::ChannelId, std::span<const std::byte> bytes) override {
+    parser_.read(bytes, [&](const mavlink::Frame& frame) { take(frame); });
+  }
+  void take(const mavlink::Frame& frame) {
+    if (frame.id() == mavlink::kFacts<mavlink::CommandAck>.id)
+      acks.push_back(mavlink::unpack<mavlink::CommandAck>(frame.payload()));
+    heartbeats += frame.id() == mavlink::kFacts<mavlink::Heartbeat>.id;
+    if (frame.id() != mavlink::kFacts<mavlink::Statustext>.id) return;
+    const auto text = mavlink::unpack<mavlink::Statustext>(frame.payload());
+    texts += mavlink::text_of(text.text).find("must be signed") != std::string::npos;
+  }
+
+  transport::ChannelId channel_ = 0;
+  mavlink::FrameParser parser_;
+  transport::Endpoints endpoints_{*this};
+  vehicle_services::Outbox out_{
+      255, 190, [this](transport::ChannelId channel, std::span<const std::byte> bytes) {
+        endpoints_.send(channel, bytes);
+      }};
+};
+
+// By default a station on this machine may do all; where it may only watch, its orders
+// are denied, it is told why once, and what it reads comes as before.
+TEST(VehicleLinks, UnsignedOrdersAreDeniedWhereOnlyTelemetryIsAllowed) {
+  for (const bool limited : {false, true}) {
+    VehicleLinks links(geo::LocalFrame::at({47.0, 8.0, 0}).value());
+    LinkEndpoint at{transport::UdpServer{}};
+    if (limited) at.unsigned_frames = mavlink::UnsignedFrames::kTelemetry;
+    links.add_station(at);
+    vehicle_services::VehicleServerOptions vehicle;
+    vehicle.system = 7;
+    vehicle.hovers = true;
+    const std::size_t shown = links.show(vehicle);
+    const auto places = links.start();
+    ASSERT_TRUE(places.ok());
+    vehicle_services::VehicleSnapshot snapshot;
+    snapshot.condition.on_ground = true;
+    links.update(shown, snapshot);
+    PlainStation station(places.value().front());
+    station.send(mavlink::Heartbeat{});
+    mavlink::CommandLong arm;
+    arm.target_system = 7;
+    arm.target_component = 1;
+    arm.command = static_cast<std::uint16_t>(mavlink::CommandId::kArm);
+    arm.param1 = 1;
+    std::size_t requests = 0;
+    for (int k = 0; k < 100 && (station.acks.size() < 3 || station.heartbeats == 0);
+         ++k) {
+      station.send(arm);
+      station.run(50ms);
+      requests += links.take_requests(shown).size();
+    }
+    ASSERT_GE(station.acks.size(), 3U);
+    EXPECT_GT(station.heartbeats, 0);
+    for (const auto& ack : station.acks)
+      EXPECT_EQ(ack.result == static_cast<std::uint8_t>(mavlink::CommandResult::kDenied),
+                limited);
+    EXPECT_EQ(requests > 0, !limited);
+    for (int k = 0; k < 40 && limited && station.texts == 0; ++k) station.run(50ms);
+    EXPECT_EQ(station.texts, limited ? 1 : 0);
+  }
 }
 
 // Nobody takes them for a quarter of an hour: the run is paused.
