@@ -27,8 +27,8 @@ constexpr double kMetresPerE7 = 0.0111319491;   // of latitude
 
 double metres_between(std::int32_t latitude_a, std::int32_t longitude_a,
                       std::int32_t latitude_b, std::int32_t longitude_b) {
-  const double north = kMetresPerE7 * (double{latitude_b} - latitude_a);
-  double turned = double{longitude_b} - longitude_a;
+  const double north = kMetresPerE7 * (static_cast<double>(latitude_b) - latitude_a);
+  double turned = static_cast<double>(longitude_b) - longitude_a;
   if (std::abs(turned) > 1.8e9) turned -= std::copysign(3.6e9, turned);
   const double east = kMetresPerE7 * turned * math::cos(geo::radians(1e-7 * latitude_a));
   return std::sqrt(north * north + east * east);
@@ -78,8 +78,8 @@ std::optional<std::string> IdentityWatch::take_sequence(std::uint8_t sequence, T
 std::optional<std::string> IdentityWatch::take_position(std::int32_t latitude_e7,
                                                         std::int32_t longitude_e7,
                                                         Time boot, Time now) {
-  const bool is_place = std::abs(double{latitude_e7}) <= kMaxLatitudeE7 &&
-                        std::abs(double{longitude_e7}) <= 2 * kMaxLatitudeE7;
+  const bool is_place = std::abs(static_cast<double>(latitude_e7)) <= kMaxLatitudeE7 &&
+                        std::abs(static_cast<double>(longitude_e7)) <= 2 * kMaxLatitudeE7;
   if (!is_place || (latitude_e7 == 0 && longitude_e7 == 0)) return std::nullopt;
   const auto before = std::exchange(where_, Where{latitude_e7, longitude_e7, boot, now});
   if (!before) return std::nullopt;
