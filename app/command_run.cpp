@@ -26,6 +26,7 @@
 #include "skein/record/replay.h"
 #include "skein/record/report.h"
 #include "skein/record/run_recorder.h"
+#include "skein/record/sqlite.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::app {
@@ -351,6 +352,8 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
     return kBadUsage;
   }
   const scenario::Scenario& scenario = order.scenario;
+  // From now on an interrupt ends the run, whose report is still made.
+  record::stop_reading_when(nullptr);
 
   const auto frame = geo::LocalFrame::at(scenario.origin);
   if (!frame) return say_error(frame.error());

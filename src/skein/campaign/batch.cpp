@@ -37,7 +37,10 @@ std::string to_line(const BatchItem& item, const std::string& print,
   line["scenario"] = summary.name;
   line["seed"] = summary.seed;
   line["content_hash"] = summary.content_hash;
-  line["numbers"] = summary.numbers;
+  json numbers = json::object();  // JSON has no others than finite ones
+  for (const auto& [name, value] : summary.numbers)
+    if (std::isfinite(value)) numbers[name] = value;
+  line["numbers"] = std::move(numbers);
   line["warnings"] = summary.warnings;
   return line.dump(-1, ' ', false, json::error_handler_t::replace);
 }

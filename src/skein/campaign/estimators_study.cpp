@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 #include "skein/base/check.h"
@@ -109,9 +110,12 @@ void write_csv(const CurveTable& table, std::ostream& out) {
   text += '\n';
   const std::size_t rows = table.columns.empty() ? 0 : table.columns[0].values.size();
   for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t j = 0; j < table.columns.size(); ++j)
-      text += fmt::format("{}{}", table.columns[j].values[i],
-                          j + 1 < table.columns.size() ? ',' : '\n');
+    for (std::size_t j = 0; j < table.columns.size(); ++j) {
+      // What is not finite does not exist: the cell stays empty.
+      if (const double value = table.columns[j].values[i]; std::isfinite(value))
+        text += fmt::format("{}", value);
+      text += j + 1 < table.columns.size() ? ',' : '\n';
+    }
   out << text;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -176,10 +177,10 @@ std::string tuning_csv(const TuningStudy& study, const TuningPlan& plan,
     const auto& summary = outcomes[flight.item].summary;
     if (!summary) continue;
     for (std::size_t lap = 0; lap < flight.sets.size(); ++lap) {
-      csv +=
-          fmt::format("{},{},{},{},{:.9g}", plan.items[flight.item].scenario.seed,
-                      lap + 1, study.sets[flight.sets[lap]].name, summary->content_hash,
-                      lap_cost(*summary, static_cast<int>(lap)));
+      csv += fmt::format("{},{},{},{}", plan.items[flight.item].scenario.seed, lap + 1,
+                         study.sets[flight.sets[lap]].name, summary->content_hash);
+      const double cost = lap_cost(*summary, static_cast<int>(lap));
+      csv += std::isfinite(cost) ? fmt::format(",{:.9g}", cost) : ",";
       for (const LapFigure& figure : kLapFigures) {
         const auto value = lap_figure(*summary, static_cast<int>(lap), figure.name);
         csv += value ? fmt::format(",{:.9g}", *value) : ",";

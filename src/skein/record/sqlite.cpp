@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "skein/base/shown_text.h"
+#include "skein/base/valid_text.h"
 
 namespace skein::record {
 namespace {
@@ -23,15 +24,6 @@ std::uintmax_t size_of(const std::filesystem::path& file) {
   std::error_code none;
   const auto size = std::filesystem::file_size(file, none);
   return none ? 0 : size;
-}
-
-bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
-    if (length == 0) return false;
-    text.remove_prefix(length);
-  }
-  return true;
 }
 
 }  // namespace
@@ -119,10 +111,9 @@ std::string Statement::text(int column) const {
   const auto* bytes =
       reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
   const int size = sqlite3_column_bytes(statement_.get(), column);
-  std::string text(bytes ? bytes : "", bytes ? static_cast<std::size_t>(size) : 0);
-  if (is_utf8(text)) return text;
-  refuse(column, "text in UTF-8");
-  return {};
+  // Versions before this one stored what vehicles said byte by byte.
+  return valid_text(
+      std::string(bytes ? bytes : "", bytes ? static_cast<std::size_t>(size) : 0));
 }
 
 std::string Statement::shown_value(int column) const {

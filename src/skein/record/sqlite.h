@@ -52,7 +52,7 @@ class Statement {
   /// no run stores, is 0 or empty, too, and then problem() says so.
   double real(int column) const;                      ///< finite, up to kMaxStored
   std::int64_t integer(int column) const;             ///< a whole number
-  std::string text(int column) const;                 ///< in UTF-8
+  std::string text(int column) const;                 ///< made valid, base/valid_text.h
   std::span<const std::byte> blob(int column) const;  ///< valid until the next step
   /// As integer(), within limits; `low` where it is not.
   std::int64_t whole(int column, std::int64_t low, std::int64_t high) const;

@@ -9,7 +9,7 @@ namespace skein::record {
 
 std::optional<double> RunSummary::number(const std::string& requested) const {
   const auto found = numbers.find(requested);
-  if (found == numbers.end()) return std::nullopt;
+  if (found == numbers.end() || !std::isfinite(found->second)) return std::nullopt;
   return found->second;
 }
 

@@ -32,7 +32,8 @@ struct RunSummary {
   std::map<std::string, double> numbers;  ///< finite ones only
   std::vector<std::string> warnings;      ///< what was repaired in outside data
 
-  /// The number called `name`; absent when the run has no such figure.
+  /// The number called `name`; absent when the run has no such figure, or one that is
+  /// not finite.
   std::optional<double> number(const std::string& name) const;
 };
 
