@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "skein/geo/rotation.h"
@@ -18,7 +19,7 @@ constexpr double kMinSetpointSpeed = 2;  // below it none is expected to move [m
 constexpr double kMinShare = 0.25;       // of the speed of a setpoint, along it
 constexpr double kMinNearing = 0.5;      // towards a setpoint that is far [m/s]
 constexpr double kBankMoved = 0.15;      // [rad]
-const Time kJudged = Time::from_seconds(1);  // after a setpoint
+constexpr double kJudged = 0.5;          // that a setpoint counts for, at most [s]
 
 }  // namespace
 
@@ -36,11 +37,12 @@ std::string CommandMonitor::step(Time now, const Inputs& in) {
   if (!in.leads) {
     since_ = {};
     highest_ = -1e9;
+    astray_ = 0;
     return {};
   }
-  if (lasts(kPosition, !in.position || in.jumped, now, kPatience))
-    return in.jumped ? "its position has jumped"
-                     : fmt::format("its last position is {:.0f} s old", in.position_age);
+  if (in.jumped) return "its position has jumped";
+  if (lasts(kPosition, !in.position, now, kPatience))
+    return fmt::format("its last position is {:.0f} s old", in.position_age);
   if (lasts(kMode, !in.taking_off && !in.guided, now, kPatience))
     return fmt::format("it stays in {}", in.mode_name);
   const bool climbs = in.altitude_msl > highest_ + kClimbStep;
@@ -51,15 +53,15 @@ std::string CommandMonitor::step(Time now, const Inputs& in) {
         "it has stopped climbing at {:.0f} m above mean sea level, {:.0f} m "
         "was commanded",
         in.altitude_msl, in.climbs_to);
-  const bool astray = in.guided && astray_ && now - judged_ < kJudged;
-  if (lasts(kSetpoints, astray, now, obeyed_ ? kObeyedPatience : kPatience))
+  if (astray_ > (obeyed_ ? kObeyedPatience : kPatience))
     return "it does not obey its setpoints";
   return {};
 }
 
 void CommandMonitor::follows(bool follows, Time now) {
   obeyed_ = obeyed_ || follows;
-  astray_ = !follows;
+  const double since = (now - judged_).seconds();
+  astray_ = follows ? 0 : astray_ + std::min(since, kJudged);
   judged_ = now;
 }
 

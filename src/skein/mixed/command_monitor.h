@@ -13,9 +13,9 @@ namespace skein::mixed {
 /// Whether a vehicle in the air can be commanded: it says where it is, is in the mode
 /// that it is led in, climbs when it takes off, and goes where its setpoints lead.
 ///
-/// What fails for 15 s on end is the reason why it is to be brought back; 30 s of a climb
-/// that stops, and of setpoints once it has obeyed some: wind too keeps it from its
-/// place.
+/// A position that jumps is at once, what fails for 15 s on end is the reason why it is
+/// to be brought back; 30 s of a climb that stops, and of setpoints once it has obeyed
+/// some: wind too keeps it from its place.
 class CommandMonitor {
  public:
   struct Inputs {
@@ -43,14 +43,14 @@ class CommandMonitor {
 
  private:
   // How long each has lasted.
-  enum Reason : std::size_t { kPosition, kMode, kClimb, kSetpoints, kReasons };
+  enum Reason : std::size_t { kPosition, kMode, kClimb, kReasons };
   bool lasts(Reason reason, bool fails, Time now, double limit);
   void follows(bool follows, Time now);
 
   std::array<std::optional<Time>, kReasons> since_;
   double highest_ = -1e9;  // of a climb [m]
   bool obeyed_ = false;    // setpoints, once
-  bool astray_ = false;    // does not do what the last one says
+  double astray_ = 0;      // for so long it has not done what they say [s]
   Time judged_;            // last
 };
 

@@ -37,6 +37,7 @@ const Time kHomePeriod = Time::from_seconds(10);  // asked for while it is not k
 const Time kAbsence = Time::from_seconds(10);     // then it is said that nobody is there
 const Time kOtherAlone = Time::from_seconds(3);   // a vehicle of another number
 constexpr int kOtherClockAnswers = 3;             // in a row
+const Time kTripWait = Time::from_seconds(10);    // for an answer about time
 // A position that is further from where the last one leads has jumped.
 constexpr double kJumpDistance = 50;             // and what it flies in a second [m]
 constexpr double kJumpSpeed = 20;                // and so much more for each second [m/s]
@@ -217,6 +218,8 @@ void AutopilotClient::hear_heartbeat(const mavlink::Heartbeat& heartbeat, Channe
                             ? "; not signed: whoever reaches the link may speak for it"
                             : ""));
     set_up(now);
+    came_up_ = now;
+    trip_.reset();
   }
   const bool other = telemetry_.hovers() != options_.hovers;
   if (other && !mismatched_)
@@ -351,6 +354,7 @@ void AutopilotClient::hear_clock(Time boot, Time now) {
 
 void AutopilotClient::hear_answer(const mavlink::Timesync& answer, Time now) {
   const Time sent = Time::from_ns(answer.ts1), there = Time::from_ns(answer.tc1);
+  if (sent <= now && now - sent < kTripWait) trip_ = (now - sent).seconds();
   if (clock_.round_trip(sent, there, now) != ClockAlignment::Answer::kOtherClock) {
     other_clock_ = 0;
     return;
@@ -391,6 +395,7 @@ void AutopilotClient::watch_place(const VehicleMotion& motion, Time now) {
     }
   }
   known_ = known;
+  motion_at_ = now;
   motion_ = motion;
   // On the ground it is an item of the check before take-off.
   const VehicleCondition& condition = telemetry_.condition();
@@ -413,16 +418,17 @@ PreflightResult AutopilotClient::check(Time now) const {
   in.origin = telemetry_.at_origin();
   if (motion_) {
     in.position = motion_->p_N;
-    in.position_age = (position_ - motion_->time).seconds();
+    in.position_age = (motion_at_ - motion_->time).seconds();
   }
   const double window = (now - std::max(set_up_, now - kRateWindow)).seconds();
   in.position_rate = window > 0 ? static_cast<double>(positions_.size()) / window : 0;
-  in.since_position = positions_.empty() ? 1e9 : (now - position_).seconds();
+  in.since_position = positions_.empty() ? 1e9 : (now - positions_.back()).seconds();
   if (jump_at_) in.since_jump = (now - *jump_at_).seconds();
   if (clock_set_at_) in.since_clock = (now - *clock_set_at_).seconds();
   in.home = telemetry_.home();
   in.since_heartbeat = (now - heartbeat_).seconds();
-  in.round_trip = clock_.shortest_round_trip();
+  in.round_trip =
+      clock_.shortest_round_trip() > 0 ? clock_.shortest_round_trip() : trip_.value_or(0);
   in.charge = telemetry_.charge();
   in.emergency = telemetry_.condition().emergency;
   return check_preflight(in);
@@ -436,13 +442,20 @@ bool AutopilotClient::admits(std::uint32_t number, const VehicleRequest& request
   const bool starts = std::holds_alternative<TakeOffRequest>(request) ||
                       (arming != nullptr && arming->arm && !arming->force);
   if (!starts) return true;
+  // How long a round trip takes is waited for, and who does not answer is not.
+  if (!trip_ && now - came_up_ < kTripWait) {
+    refuse(number, RequestAnswer::Outcome::kDenied, {});
+    return false;
+  }
   PreflightResult result = check(now);
   if (result.failed == 0) {
     failed_ = 0;
     return true;
   }
-  if (std::exchange(failed_, result.failed) != result.failed)
+  if ((result.failed & ~failed_) != 0) {
+    failed_ = result.failed;
     failed_text_ = "check before take-off: " + std::move(result.text);
+  }
   refuse(number, RequestAnswer::Outcome::kDenied, failed_text_);
   return false;
 }

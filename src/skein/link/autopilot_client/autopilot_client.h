@@ -152,11 +152,14 @@ class AutopilotClient {
   bool misplaced_ = false;  // not where it is to begin
   bool commanded_ = false;  // it has accepted something, so it began where it was to
   bool other_clock_said_ = false, absence_said_ = false;
-  int other_clock_ = 0;  // answers in a row by another clock than the telemetry's
+  Time came_up_;
+  std::optional<double> trip_;  // of the last answer about time, since it came up [s]
+  int other_clock_ = 0;         // answers in a row by another clock than the telemetry's
   std::set<std::uint8_t> others_;        // numbers heard in its place
   std::optional<Time> other_since_;      // the first of them
   std::optional<Time> begun_;            // the first step
   std::optional<VehicleMotion> motion_;  // the last
+  Time motion_at_;                       // when it came in
   bool known_ = false;                   // it was one that the vehicle is sure of
   std::optional<Time> jump_at_, clock_set_at_;
   std::deque<Time> positions_;  // when they came in, those of late
