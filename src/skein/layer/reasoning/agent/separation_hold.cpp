@@ -24,16 +24,17 @@ constexpr double kAskAgain = 2;          // whether it can be begun [s]
 constexpr double kStillTheSame = 5;      // longer, for a task that plans nothing else [s]
 // Neighbours that circle begin in turns, by their numbers: nobody knows yet what one
 // flies that has begun in the same moment.
-constexpr double kTurnLength = 1.5;            // of one of them, in periods of places [s]
-constexpr std::uint32_t kTurnsInCycle = 6;      // until it has the next one
-constexpr double kNextStepOfTask = 0.5;  // a task says so early that it is done [s]
-constexpr double kNearCircle = 2;        // of radii: a circle near by will do
+constexpr double kTurnLength = 1.5;         // of one of them, in periods of places [s]
+constexpr std::uint32_t kTurnsInCycle = 6;  // until it has the next one
+constexpr double kNextStepOfTask = 0.5;     // a task says so early that it is done [s]
+constexpr double kNearCircle = 2;           // of radii: a circle near by will do
 
 // When the next turn of an aircraft to begin another flight starts, or its present one
 // did [s].
 double turn_of(EntityId self, double now, double length) {
   const double cycle = kTurnsInCycle * length;
-  const double start = cycle * std::floor(now / cycle) + length * (self.value % kTurnsInCycle);
+  const double start =
+      cycle * std::floor(now / cycle) + length * (self.value % kTurnsInCycle);
   return now < start + length ? start : start + cycle;
 }
 
