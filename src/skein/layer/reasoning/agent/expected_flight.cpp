@@ -20,6 +20,7 @@ constexpr double kSameAltitude = 2;   // of pieces of a flight over ground [m]
 constexpr double kOnCircle = 0.3;     // beside it, of its radius
 constexpr double kAlmostTangential = 0.5;  // [rad]
 constexpr double kApproachPiece = 3;       // of a way onto a circle [s]
+constexpr double kNearApproachPiece = 1;   // the same, nearer than its radius [s]
 constexpr double kMinPiece = 0.1;          // [s]
 constexpr double kMinSpeed = 0.5;          // over ground [m/s]
 constexpr double kWindy = 0.15;            // of the airspeed
@@ -82,10 +83,12 @@ class Flight {
       const bool on = std::abs(off) < kOnCircle * circle.radius &&
                       std::abs(turned) < kAlmostTangential;
       const double left = until - this->duration();
+      const double piece =
+          std::abs(off) < circle.radius ? kNearApproachPiece : kApproachPiece;
       if (on)
         part(circle, out, left);
       else
-        approach(-turned, std::min(left, kApproachPiece));
+        approach(-turned, std::min(left, piece));
     }
   }
 

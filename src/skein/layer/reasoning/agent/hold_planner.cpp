@@ -69,16 +69,18 @@ Circling place_to_hold(const Circling& requested, const NavEstimate& from, doubl
       situation.separator.circles_of_others(situation.now);
   const double step = level_step(circles, situation.separator.kept().vertical);
   const double radius = wide_radius(context.limits, from.wind_N);
-  std::optional<Circling> free;
+  std::optional<Circling> free, apart;
   // @returns whether it is free and apart from the circles of all others.
   const auto is_good = [&](const Circling& place) {
     const FlightPlan flight =
         expected_flight({0, place}, 0, from, context, begin, situation.duration).plan;
-    if (flight.empty() || situation.separator.meets(flight, situation.now, kMore) ||
-        !check.is_free(flight))
-      return false;
-    if (is_apart(flight, circles)) return true;
-    if (!free) free = place;
+    if (flight.empty()) return false;
+    const bool is_free = !situation.separator.meets(flight, situation.now, kMore);
+    const bool stays_apart = is_apart(flight, circles);
+    if ((!is_free && !stays_apart) || !check.is_free(flight)) return false;
+    if (is_free && stays_apart) return true;
+    auto& second_best = is_free ? free : apart;
+    if (!second_best) second_best = place;
     return false;
   };
   if (situation.before && is_good(*situation.before)) return *situation.before;
@@ -94,7 +96,7 @@ Circling place_to_hold(const Circling& requested, const NavEstimate& from, doubl
     }
     if (is_good(place)) return place;
   }
-  return free.value_or(requested);
+  return free.value_or(apart.value_or(requested));
 }
 
 }  // namespace skein::reasoning

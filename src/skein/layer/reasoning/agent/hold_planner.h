@@ -29,8 +29,9 @@ struct HoldSituation {
 ///   others around it, from one to five radii away, in eight directions
 ///   the nearer of these, a level higher or lower
 ///
-/// Where there is none, the first whose flight is free for as long as flights are known;
-/// else the circle that is asked for: what comes too near then is solved as any conflict.
+/// Where there is none, the first whose flight is free for as long as flights are known,
+/// else the first whose circle is apart, else the circle that is asked for: what comes
+/// too near then is solved as any conflict.
 ///
 /// @param from   where and how the aircraft flies when it begins.
 /// @param begin  when that is [s].

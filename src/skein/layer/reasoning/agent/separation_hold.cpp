@@ -95,10 +95,11 @@ void SeparationPlanner::place_hold(const Circling& requested, const NavEstimate&
 
 // Somebody who has the right of way needs the place.
 bool SeparationPlanner::must_move_hold(Time now) const {
-  if (!hold_ || separator_.changed() || (now - hold_->placed).seconds() < kMoveAgain)
-    return false;
+  if (!hold_ || (now - hold_->placed).seconds() < kMoveAgain) return false;
   if (!foreseen_ && !legs_end_ && !circles()) return false;
-  const auto conflict = separator_.is_to_move(now);
+  // What leads it out of others' way is flown on; behind the end of a task that stays.
+  if (!foreseen_ && separator_.changed() && !separator_.is_clear(now)) return false;
+  const auto conflict = separator_.is_to_move(now, foreseen_ || legs_end_);
   return conflict && *conflict > now.seconds() + kTimeToMove;
 }
 

@@ -343,7 +343,7 @@ struct Visitor {
     planner.emplace(context, options);
     const Vec2 way = to - from;
     FlightElement e;
-    e.p_N = Vec3(from.x(), from.y(), -150);
+    e.p_N = Vec3(from.x(), from.y(), -250);
     e.heading = geo::bearing(way);
     e.airspeed = 15;
     e.duration = end = way.norm() / 15;

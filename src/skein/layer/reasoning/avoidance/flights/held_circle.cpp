@@ -11,6 +11,7 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kFullTurn = 0.95;  // of a turn: what is sent is rounded
+constexpr double kShort = 3;        // of straight pieces within it [s]
 constexpr double kLevel = 0.3;      // climb rate that is none [m/s]
 constexpr double kStep = 1;         // between places of a circle that are looked at [s]
 
@@ -18,12 +19,15 @@ constexpr double kStep = 1;         // between places of a circle that are looke
 
 std::optional<HeldCircle> circle_at_end(const FlightPlan& plan) {
   if (plan.empty()) return std::nullopt;
-  const double side = plan.back().turn_rate;
-  double turned = 0;
+  double side = 0, turned = 0;
   auto first = plan.end();
   while (first != plan.begin() && turned < 2 * geo::kPi * kFullTurn) {
     const FlightElement& e = *std::prev(first);
-    if (!(e.turn_rate * side > 0) || std::abs(e.climb_rate) > kLevel) return std::nullopt;
+    const bool turns = e.turn_rate != 0;
+    if (turns && side == 0) side = e.turn_rate;
+    if (std::abs(e.climb_rate) > kLevel || (turns && !(e.turn_rate * side > 0)) ||
+        (!turns && e.duration > kShort))
+      return std::nullopt;
     turned += std::abs(e.turn_rate) * e.duration;
     --first;
   }

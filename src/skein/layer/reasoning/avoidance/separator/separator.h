@@ -143,7 +143,8 @@ class Separator {
   /// When the flight comes too near to somebody who has the right of way, the earliest
   /// that was found at the last look [s]. What is flown behind the end of the task
   /// counts.
-  std::optional<double> is_to_move(Time now) const;
+  /// @param behind_task  of what is flown behind the end of the task; else before it.
+  std::optional<double> is_to_move(Time now, bool behind_task) const;
 
   /// Whether somebody circles near by, who may begin another flight at any time.
   bool has_neighbours_in_circles(Time now, const Vec3& p_N) const;

@@ -55,12 +55,11 @@ bool Separator::has_neighbours_in_circles(Time now, const Vec3& p_N) const {
   });
 }
 
-std::optional<double> Separator::is_to_move(Time now) const {
-  for (const auto* some : {&conflicts_, &held_conflicts_})
-    for (const Conflict& conflict : *some) {
-      const TeamFlight* other = team_.find(conflict.other);
-      if (other && !has_way_over(*other, now)) return conflict.meeting.begin;
-    }
+std::optional<double> Separator::is_to_move(Time now, bool behind_task) const {
+  for (const Conflict& conflict : behind_task ? held_conflicts_ : conflicts_) {
+    const TeamFlight* other = team_.find(conflict.other);
+    if (other && !has_way_over(*other, now)) return conflict.meeting.begin;
+  }
   return std::nullopt;
 }
 
