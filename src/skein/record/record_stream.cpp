@@ -38,7 +38,6 @@ using stream::Cursor, stream::Timed;
 
 constexpr std::int64_t kPiece = 1000;  // rows that are read at once
 constexpr double kMotionBefore = 2;    // of vehicles, before the time that is gone to [s]
-constexpr double kAfterEnd = 1;        // of a run, that a record may still have [s]
 
 // When a record came; what was there from the start comes first.
 template <class T>
@@ -66,7 +65,7 @@ void check_time(const T& record, const Statement& row, const std::optional<Time>
   const double time = time_of(record).seconds();
   if (std::abs(time) > kLatestRecord) row.refuse(1, "a time of a run, up to 1e7 s");
   if constexpr (std::is_same_v<T, TruthRecord> || std::is_same_v<T, EstimateRecord>)
-    if (end && time > end->seconds() + kAfterEnd)
+    if (end && time > end->seconds() + kMaxAfterEnd)
       row.refuse(
           1, "a time up to the end of the run, " + std::to_string(end->seconds()) + " s");
 }

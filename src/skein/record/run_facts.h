@@ -9,6 +9,8 @@
 
 namespace skein::record {
 
+inline constexpr double kMaxAfterEnd = 1;  ///< of a record, after its run's end [s]
+
 /// What a run database says of its run as a whole.
 /// Fails: what the database says.
 Result<RunInfo> read_info(Sqlite& database);

@@ -23,7 +23,6 @@ namespace {
 // Before everything: no row of truth is of this time.
 constexpr Time kNever = Time::from_ns(-1);
 constexpr double kShortestStep = 1;  // between samples of a flight [s]
-constexpr double kAfterEnd = 1;      // of a run, that a record may still have [s]
 constexpr std::int64_t kMaxAlertLevel = 1000;
 
 double known(const Statement& row, int column) {
@@ -112,7 +111,7 @@ class Reader {
   void check_vehicle(const Statement& row) const {
     if (!known_.contains(entity_id(row, 1)))
       row.refuse(1, "the number of an entity of the run");
-    if (row.seconds(2) > run_.duration + kAfterEnd)
+    if (row.seconds(2) > run_.duration + kMaxAfterEnd)
       row.refuse(
           2, "a time up to the end of the run, " + std::to_string(run_.duration) + " s");
   }

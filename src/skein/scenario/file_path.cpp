@@ -50,8 +50,8 @@ std::string other_folder_hint(const fs::path& folder, std::string_view text,
 
 const fs::path& Folders::of(const Place& place) const {
   static const fs::path working_folder;
-  const auto source = static_cast<std::size_t>(place.source);
-  return source < by_source.size() ? by_source[source] : working_folder;
+  const auto number = static_cast<std::size_t>(place.source);
+  return number < by_source.size() ? by_source[number] : working_folder;
 }
 
 NamedPath find_file(std::string_view text, const fs::path& folder, const FileType& type) {
