@@ -1,6 +1,10 @@
 #include "app/plan_maps.h"
 
+#include <fmt/ranges.h>
+
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "app/output.h"
 #include "skein/exchange/zones.h"
@@ -25,6 +29,13 @@ void note_zones(const std::string& file,
                 const std::vector<exchange::MapFeature>& features,
                 const std::vector<Zone>& zones) {
   if (zones.empty()) complain("note: {}: has no zones.\n", file);
+  std::set<std::string> others;
+  for (const exchange::MapFeature& feature : features)
+    if (!feature.purpose.empty() && feature.purpose != "exclusion")
+      others.insert(feature.purpose);
+  if (!others.empty())
+    complain("note: {}: what is for another purpose is no no-fly zone: {}.\n", file,
+             fmt::format("{}", fmt::join(others, ", ")));
   if (const int movers = exchange::movers_among_zones(features); movers > 0)
     complain(
         "note: {}: {} of its features {} of a moving obstacle (height_m, "

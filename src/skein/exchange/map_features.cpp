@@ -1,17 +1,22 @@
 #include "skein/exchange/map_features.h"
 
+#include <cpl_vsi.h>
 #include <fmt/format.h>
 #include <gdal.h>
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 
 #include "skein/base/valid_text.h"
 #include "skein/exchange/csv_cells.h"
+#include "skein/exchange/ground_plan.h"
 #include "skein/exchange/map_geometry.h"
 #include "skein/geo/gdal/gdal_guard.h"
 #include "skein/geo/gdal/gdal_handles.h"
@@ -44,6 +49,46 @@ std::string looks_like(const std::string& name) {
   return {};
 }
 
+// A purpose that features may have; empty for any other word.
+std::string known_purpose(const std::string& word) {
+  for (const char* known :
+       {"inclusion", "exclusion", "survey", "corridor", "route", "waypoint", "rally"})
+    if (word == known) return word;
+  return {};
+}
+
+// A file in GDAL's memory while it lives.
+class MemoryFile {
+ public:
+  MemoryFile(std::string_view text, const char* ending) {
+    static std::atomic<unsigned> made = 0;
+    name_ = fmt::format("/vsimem/sent/{}{}", ++made, ending);
+    content_.assign(text.begin(), text.end());
+    if (VSILFILE* file =
+            VSIFileFromMemBuffer(name_.c_str(), reinterpret_cast<GByte*>(content_.data()),
+                                 content_.size(), FALSE))
+      VSIFCloseL(file);
+  }
+  ~MemoryFile() { VSIUnlink(name_.c_str()); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
+  std::vector<char> content_;
+};
+
+// Whether a text is one of QGroundControl's, not GeoJSON, which has a type and no
+// fileType.
+bool is_ground_plan(std::string_view text) {
+  const bool collection = text.find("\"features\"") != std::string_view::npos ||
+                          text.find("\"geometry\"") != std::string_view::npos ||
+                          text.find("\"coordinates\"") != std::string_view::npos;
+  return text.find("\"fileType\"") != std::string_view::npos ||
+         (!collection && text.find("\"items\"") != std::string_view::npos);
+}
+
 // GDAL's words, whose full stop depends on the error.
 std::string words_of(const geo::GdalGuard& guard) {
   std::string text = guard.failure();
@@ -54,10 +99,11 @@ std::string words_of(const geo::GdalGuard& guard) {
 // Reads one dataset into features.
 class Reader {
  public:
+  /// @param dataset  that GDAL opens, if it is not `file`.
   Reader(const std::string& file, const geo::LocalFrame* frame,
-         std::vector<std::string>& warnings)
-      : file_(file), frame_(frame), warnings_(warnings) {
-    const std::string ending = lower(std::filesystem::path(file).extension().string());
+         std::vector<std::string>& warnings, const std::string& dataset = {})
+      : file_(file), frame_(frame), warnings_(warnings), dataset_(dataset) {
+    const std::string ending = geo::small_ending(dataset.empty() ? file : dataset);
     rule_of_rings_ = ending == ".geojson" || ending == ".json";
     degrees_only_ = ending == ".kml" || ending == ".kmz";
   }
@@ -67,7 +113,8 @@ class Reader {
     if (degrees_only_ && frame_ == nullptr)
       return error("KML has latitudes and longitudes; the place on Earth is not known.",
                    "Give --origin.");
-    for (const std::string& name : geo::vector_datasets(file_))
+    for (const std::string& name : dataset_.empty() ? geo::vector_datasets(file_)
+                                                    : std::vector<std::string>{dataset_})
       if (auto good = read_dataset(name, guard); !good) return good.error();
     if (guard.failed()) return error("is truncated or corrupt: " + words_of(guard) + ".");
     if (against_ > 0)
@@ -85,7 +132,9 @@ class Reader {
   }
 
   Result<void> read_dataset(const std::string& name, const geo::GdalGuard& guard) {
-    const geo::GdalDataset dataset = geo::open_dataset(name, geo::DataKind::kVector);
+    const geo::GdalDataset dataset = dataset_.empty()
+                                         ? geo::open_dataset(name, geo::DataKind::kVector)
+                                         : geo::open_sent_dataset(name);
     if (!dataset)
       return error("cannot be read as a map: " + words_of(guard) + ".",
                    "GeoJSON, KML and other vector formats of GDAL are allowed.");
@@ -119,6 +168,7 @@ class Reader {
       if (auto good = geometry.read(OGR_F_GetGeometryRef(feature.get())); !good)
         return good;
       if (rule_of_rings_) against_ += geometry.clockwise();
+      join_touching_areas(geometry.features());
       for (MapFeature& each : geometry.features()) features_.push_back(std::move(each));
     }
   }
@@ -152,6 +202,8 @@ class Reader {
       if (lower(name) == "name")
         out.name = valid_text(OGR_F_GetFieldAsString(feature, i));
       if (name == "what") out.what = valid_text(OGR_F_GetFieldAsString(feature, i));
+      if (name == "purpose")
+        out.purpose = known_purpose(OGR_F_GetFieldAsString(feature, i));
       const auto& known = known_properties();
       if (std::find(known.begin(), known.end(), name) == known.end()) continue;
       const std::string text = valid_text(OGR_F_GetFieldAsString(feature, i));
@@ -172,6 +224,7 @@ class Reader {
   const std::string& file_;
   const geo::LocalFrame* frame_;
   std::vector<std::string>& warnings_;
+  std::string dataset_;  // empty: the file itself
   bool rule_of_rings_ = false, degrees_only_ = false;
   std::vector<MapFeature> features_;
   int number_ = 0, against_ = 0;
@@ -188,9 +241,46 @@ const std::vector<std::string>& known_properties() {
   return names;
 }
 
+namespace {
+
+Result<std::vector<MapFeature>> read_plan_file(const std::string& file,
+                                               const geo::LocalFrame* frame,
+                                               std::vector<std::string>& warnings) {
+  if (frame == nullptr)
+    return Error{ErrorCode::kBadInput, file,
+                 "a .plan has latitudes and longitudes; the place on Earth is not known.",
+                 "Give --origin."};
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return Error{ErrorCode::kNotFound, file, "is not there.", ""};
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return read_ground_plan(text, file, *frame, warnings);
+}
+
+}  // namespace
+
+Result<std::vector<MapFeature>> read_map_text(std::string_view text,
+                                              const std::string& name,
+                                              const geo::LocalFrame& frame,
+                                              std::vector<std::string>& warnings) {
+  std::string_view content = text;
+  if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
+  content =
+      content.substr(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
+  if (content.empty() || (content.front() != '<' && content.front() != '{'))
+    return Error{ErrorCode::kBadInput, name, "is no GeoJSON, KML or .plan.", ""};
+  if (content.front() == '{' && is_ground_plan(content))
+    return read_ground_plan(content, name, frame, warnings);
+  const geo::GdalGuard guard;
+  const MemoryFile file(text, content.front() == '<' ? ".kml" : ".geojson");
+  return Reader(name, &frame, warnings, file.name()).read();
+}
+
 Result<std::vector<MapFeature>> read_map(const std::string& file,
                                          const geo::LocalFrame* frame,
                                          std::vector<std::string>& warnings) {
+  if (const std::string ending = geo::small_ending(file);
+      ending == ".plan" || ending == ".mission")
+    return read_plan_file(file, frame, warnings);
   std::error_code none;
   if (!file.starts_with("/vsi") && !std::filesystem::exists(file, none))
     return Error{ErrorCode::kNotFound, file, "is not there.", ""};

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "skein/base/result.h"
@@ -18,6 +19,10 @@ struct MapFeature {
   std::string place;  ///< for messages: "zones.geojson: feature 3"
   std::string name;   ///< property `name`; may be empty
   std::string what;   ///< property `what` of files that Skein wrote; may be empty
+  /// What it is for, by a .plan or the property `purpose`: a fence of "inclusion" or
+  /// "exclusion", a "survey", "corridor", "route", "waypoint" or "rally" point; empty: it
+  /// does not say.
+  std::string purpose;
   /// The point, the line, or the area's outer ring, positive and without a repeated end.
   std::vector<Vec2> points;
   std::vector<geo::Ring> holes;           ///< of an area, positive
@@ -29,9 +34,11 @@ struct MapFeature {
 /// and those of moving obstacles.
 const std::vector<std::string>& known_properties();
 
-/// Reads all features of all layers of a map file: GeoJSON, KML, or any vector format
-/// that GDAL reads. What has several parts becomes several features with one place. Rings
-/// may run in either sense; points that repeat the one before are left out.
+/// Reads all features of all layers of a map file: GeoJSON, KML, QGroundControl's .plan
+/// (see read_ground_plan()), or any vector format that GDAL reads, in an archive too.
+/// Tables without geometry are passed over. What has several parts becomes several
+/// features with one place. Rings may run in either sense; points that repeat the one
+/// before are left out.
 ///
 /// @param frame     the plane; null: coordinates are metres to east and north already
 ///                  (not in KML).
@@ -45,5 +52,13 @@ const std::vector<std::string>& known_properties();
 Result<std::vector<MapFeature>> read_map(const std::string& file,
                                          const geo::LocalFrame* frame,
                                          std::vector<std::string>& warnings);
+
+/// The same of what somebody sent: GeoJSON, KML or .plan, by its first characters. No
+/// other reader sees it.
+/// @param name  of the file, for messages.
+Result<std::vector<MapFeature>> read_map_text(std::string_view text,
+                                              const std::string& name,
+                                              const geo::LocalFrame& frame,
+                                              std::vector<std::string>& warnings);
 
 }  // namespace skein::exchange

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "skein/geo/clip.h"
 #include "skein/geo/place_limits.h"
 
 namespace skein::exchange {
@@ -15,9 +16,12 @@ namespace {
 
 constexpr std::size_t kMaxPoints = 1'000'000;  // of a file
 constexpr std::size_t kMaxInRing =
-    20'000;                        // asking whether it crosses itself is quadratic
-constexpr int kDeepest = 16;       // collections within each other
-constexpr double kMinArea = 0.01;  // of a ring [m^2]
+    20'000;                            // asking whether it crosses itself is quadratic
+constexpr int kDeepest = 16;           // collections within each other
+constexpr std::size_t kMaxJoined = 8;  // parts of one area
+constexpr std::size_t kMaxJoinedPoints = 2000;  // joining is quadratic in them
+constexpr double kSameArea = 1e-5;              // of areas joined and alone, relative
+constexpr double kMinArea = 0.01;               // of a ring [m^2]
 
 struct DestroyGeometry {
   void operator()(void* geometry) const {
@@ -26,6 +30,40 @@ struct DestroyGeometry {
 };
 
 }  // namespace
+
+void join_touching_areas(std::vector<MapFeature>& parts) {
+  if (parts.size() < 2 || parts.size() > kMaxJoined) return;
+  geo::Region whole;
+  double total = 0;
+  std::size_t points = 0;
+  for (const MapFeature& part : parts) {
+    points += part.points.size();
+    for (const geo::Ring& hole : part.holes) points += hole.size();
+    if (part.kind != MapFeature::Kind::kArea || points > kMaxJoinedPoints) return;
+    geo::Region area = {part.points};
+    if (!part.holes.empty()) area = geo::subtract(area, part.holes);
+    total += geo::area(area);
+    whole = whole.empty() ? area : geo::unite(whole, area);
+  }
+  MapFeature joined = parts.front();
+  joined.points.clear();
+  joined.holes.clear();
+  for (geo::Ring& ring : whole) {
+    if (geo::signed_area(ring) < 0) {
+      std::reverse(ring.begin(), ring.end());
+      joined.holes.push_back(std::move(ring));
+    } else if (joined.points.empty()) {
+      joined.points = std::move(ring);
+    } else {
+      return;  // apart
+    }
+  }
+  double left = joined.points.empty() ? 0 : geo::signed_area(joined.points);
+  for (const geo::Ring& hole : joined.holes) left -= geo::signed_area(hole);
+  // What overlaps, or crosses itself, is said where areas are used.
+  if (std::abs(left - total) > kSameArea * total) return;
+  parts = {std::move(joined)};
+}
 
 Error GeometryReader::error(const std::string& message, const std::string& hint) const {
   return {ErrorCode::kBadInput, common_.place, message, hint};

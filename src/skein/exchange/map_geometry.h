@@ -7,6 +7,11 @@
 
 namespace skein::exchange {
 
+/// Makes one area of the areas among the parts of one feature where they touch and do not
+/// overlap, as those do into which RFC 7946 cuts an area at 180 degrees. Leaves all as it
+/// is where they do not make up one area.
+void join_touching_areas(std::vector<MapFeature>& parts);
+
 /// Takes a geometry of GDAL apart into features that have the properties of `common`.
 class GeometryReader {
  public:

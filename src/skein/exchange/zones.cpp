@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <iterator>
 #include <optional>
+#include <string_view>
 
 #include "skein/geo/clip.h"
 #include "skein/geo/self_crossing.h"
@@ -19,8 +21,13 @@ Error refused(const MapFeature& feature, const std::string& message,
   return {ErrorCode::kBadInput, feature.place, message, hint};
 }
 
-bool is_other(const MapFeature& feature, const char* what) {
-  return !feature.what.empty() && feature.what != what;
+// Whether a feature says that it is something else: by `what` of Skein's own files, or by
+// its purpose, of which there may be none.
+bool is_other(const MapFeature& feature, const char* what,
+              std::initializer_list<std::string_view> purposes) {
+  if (!feature.what.empty() && feature.what != what) return true;
+  return !feature.purpose.empty() &&
+         std::find(purposes.begin(), purposes.end(), feature.purpose) == purposes.end();
 }
 
 std::optional<double> number(const MapFeature& feature, const char* key) {
@@ -118,7 +125,7 @@ Result<Disc> disc_of(const MapFeature& feature) {
 Result<std::vector<Zone>> zones_of(const std::vector<MapFeature>& features) {
   std::vector<Zone> zones;
   for (const MapFeature& feature : features) {
-    if (is_other(feature, "zone")) continue;
+    if (is_other(feature, "zone", {"exclusion"})) continue;
     if (feature.kind == MapFeature::Kind::kLine)
       return refused(feature,
                      "is a line, which is no zone; areas and points with radius_m are.");
@@ -142,7 +149,7 @@ int movers_among_zones(const std::vector<MapFeature>& features) {
                                        "velocity_east_mps", "velocity_north_mps"};
   return static_cast<int>(
       std::count_if(features.begin(), features.end(), [&](const MapFeature& feature) {
-        return !is_other(feature, "zone") &&
+        return !is_other(feature, "zone", {"exclusion"}) &&
                std::any_of(
                    std::begin(kOfMovers), std::end(kOfMovers),
                    [&](const char* key) { return feature.numbers.contains(key); });
@@ -152,7 +159,8 @@ int movers_among_zones(const std::vector<MapFeature>& features) {
 Result<MapFeature> area_of(const std::vector<MapFeature>& features) {
   const MapFeature* area = nullptr;
   for (const MapFeature& feature : features) {
-    if (is_other(feature, "area") || feature.kind != MapFeature::Kind::kArea) continue;
+    if (is_other(feature, "area", {"survey"}) || feature.kind != MapFeature::Kind::kArea)
+      continue;
     if (area != nullptr)
       return refused(feature, fmt::format("is a second area after {}; one is allowed.",
                                           area->place));
@@ -169,7 +177,9 @@ Result<MapFeature> area_of(const std::vector<MapFeature>& features) {
 Result<MapFeature> line_of(const std::vector<MapFeature>& features) {
   const MapFeature* line = nullptr;
   for (const MapFeature& feature : features) {
-    if (is_other(feature, "line") || feature.kind != MapFeature::Kind::kLine) continue;
+    if (is_other(feature, "line", {"route", "corridor"}) ||
+        feature.kind != MapFeature::Kind::kLine)
+      continue;
     if (line != nullptr)
       return refused(feature, fmt::format("is a second line after {}; one is allowed.",
                                           line->place));
@@ -190,7 +200,7 @@ Result<MapFeature> line_of(const std::vector<MapFeature>& features) {
 Result<std::vector<MovingObstacle>> movers_of(const std::vector<MapFeature>& features) {
   std::vector<MovingObstacle> movers;
   for (const MapFeature& feature : features) {
-    if (is_other(feature, "obstacle")) continue;
+    if (is_other(feature, "obstacle", {})) continue;
     if (feature.kind != MapFeature::Kind::kPoint)
       return refused(feature, "is no point; moving obstacles are.");
     const auto altitude = number(feature, "altitude_m");

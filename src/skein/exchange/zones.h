@@ -11,7 +11,8 @@ namespace skein::exchange {
 
 /// The no-fly zones of a map: areas, and points with `radius_m`, which are discs;
 /// floor_m, ceiling_m, from_s, until_s limit them. A zone with holes becomes several that
-/// overlap by 0.2 m. Features that a file of Skein's calls something else are left out.
+/// overlap by 0.2 m. Features that a file of Skein's calls something else are left out,
+/// and those with another purpose than an exclusion fence.
 ///
 /// Fails: kBadInput for a ring that crosses itself (and where), a line, a point without a
 ///        radius, a floor above the ceiling, an end before the beginning.

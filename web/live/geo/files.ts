@@ -1,22 +1,12 @@
-/** GeoJSON (RFC 7946), KML (2.2) and .plan of QGroundControl, written and read. */
+/** GeoJSON (RFC 7946), KML (2.2) and .plan of QGroundControl: written here, read by the server. */
 import type { Frame } from "../frames";
-import type { Feature, Ring } from "./features";
+import type { Circle, Feature, Purpose, Ring } from "./features";
 
 type Position = [number, number, ...number[]];
-
-interface GeoJsonGeometry {
-  type: string;
-  coordinates?: unknown;
-  geometries?: GeoJsonGeometry[];
-}
 
 const toPosition = (frame: Frame, [north, east]: [number, number]): Position => {
   const [lng, lat] = frame.toLngLat(north, east);
   return [Number(lng.toFixed(8)), Number(lat.toFixed(8))];
-};
-const toPlace = (frame: Frame, [lng, lat]: Position): [number, number] => {
-  const { north_m, east_m } = frame.toLocal({ latitude_deg: lat, longitude_deg: lng });
-  return [north_m, east_m];
 };
 
 const closed = <P>(ring: P[]): P[] => (ring.length > 0 ? [...ring, ring[0]] : ring);
@@ -31,8 +21,11 @@ function turned(ring: Position[], hole: boolean): Position[] {
   return area < 0 === hole ? ring : [...ring].reverse();
 }
 
+// What a shape is for goes along; nothing is said of one of which nobody has said it.
+const said = ({ purpose, properties }: Feature): Feature["properties"] => (purpose ? { purpose, ...properties } : properties);
+
 export function toGeoJson(features: Feature[], frame: Frame): string {
-  return JSON.stringify({ type: "FeatureCollection", features: features.map(({ name, geometry, properties }) => ({
+  return JSON.stringify({ type: "FeatureCollection", features: features.map((each) => ({ ...each, properties: said(each) })).map(({ name, geometry, properties }) => ({
     type: "Feature",
     properties: { name, ...properties },
     geometry: geometry.kind === "point" ? { type: "Point", coordinates: toPosition(frame, geometry.at) }
@@ -51,113 +44,54 @@ export function toKml(features: Feature[], frame: Frame): string {
     geometry.kind === "point" ? `<Point><coordinates>${list([geometry.at], false)}</coordinates></Point>`
       : geometry.kind === "line" ? `<LineString><tessellate>1</tessellate><coordinates>${list(geometry.points, false)}</coordinates></LineString>`
         : `<Polygon><tessellate>1</tessellate>${geometry.rings.map((points, k) => ring(points, k === 0 ? "outerBoundaryIs" : "innerBoundaryIs")).join("")}</Polygon>`}</Placemark>`;
-  return `<?xml version="1.0" encoding="UTF-8"?>\n<kml xmlns="http://www.opengis.net/kml/2.2"><Document>\n${features.map(placemark).join("\n")}\n</Document></kml>\n`;
+  return `<?xml version="1.0" encoding="UTF-8"?>\n<kml xmlns="http://www.opengis.net/kml/2.2"><Document>\n${features.map((each) => placemark({ ...each, properties: said(each) })).join("\n")}\n</Document></kml>\n`;
 }
 
-/** What was read, and how many features were of a kind that is not kept. */
+/** What the server answers for a file: see src/skein/assemble/serve/drawing_files.h. */
+interface SentFeature {
+  name: string;
+  purpose: Purpose;
+  kind: "point" | "line" | "area" | "circle";
+  rings: Ring[];
+  radius_m: number | null;
+}
 export interface Loaded {
   features: Feature[];
-  left: number;
+  notes: string[];
 }
 
-const open = (ring: Position[]): Position[] => {
-  const first = ring[0], last = ring[ring.length - 1];
-  return ring.length > 1 && first[0] === last[0] && first[1] === last[1] ? ring.slice(0, -1) : ring;
-};
+const kCorners = 64; // of a circle that is drawn
 
-function geometries(geometry: GeoJsonGeometry | null, frame: Frame): Feature["geometry"][] {
-  const place = (p: unknown) => toPlace(frame, p as Position), ring = (r: unknown) => open(r as Position[]).map(place);
-  switch (geometry?.type) {
-    case "Point": return [{ kind: "point", at: place(geometry.coordinates) }];
-    case "MultiPoint": return (geometry.coordinates as unknown[]).map((p) => ({ kind: "point", at: place(p) }));
-    case "LineString": return [{ kind: "line", points: (geometry.coordinates as unknown[]).map(place) }];
-    case "MultiLineString": return (geometry.coordinates as unknown[][]).map((l) => ({ kind: "line", points: l.map(place) }));
-    case "Polygon": return [{ kind: "area", rings: (geometry.coordinates as unknown[]).map(ring) }];
-    case "MultiPolygon": return (geometry.coordinates as unknown[][]).map((p) => ({ kind: "area", rings: p.map(ring) }));
-    case "GeometryCollection": return (geometry.geometries ?? []).flatMap((each) => geometries(each, frame));
-    default: return [];
-  }
+function ringOf({ north_m, east_m, radius_m }: Circle): Ring {
+  return Array.from({ length: kCorners }, (_, k): [number, number] =>
+    [north_m + radius_m * Math.cos((2 * k * Math.PI) / kCorners), east_m + radius_m * Math.sin((2 * k * Math.PI) / kCorners)]);
 }
 
-function fromGeoJson(text: string, frame: Frame): Loaded {
-  const root = JSON.parse(text) as { type: string; features?: unknown[]; geometry?: unknown };
-  const all = (root.type === "FeatureCollection" ? root.features ?? [] : root.type === "Feature" ? [root] : [{ geometry: root, properties: {} }]) as
-    { geometry: GeoJsonGeometry | null; properties?: Record<string, unknown> | null }[];
-  const loaded: Loaded = { features: [], left: 0 };
-  for (const { geometry, properties } of all) {
-    const found = geometries(geometry, frame);
-    if (found.length === 0) ++loaded.left;
-    for (const each of found) loaded.features.push({ name: String(properties?.name ?? ""), geometry: each, properties: {} });
-  }
-  return loaded;
+export function fromServer(sent: SentFeature[]): Feature[] {
+  return sent.map(({ name, purpose, kind, rings, radius_m }): Feature => {
+    const base = { name, purpose, properties: {} }, [first] = rings;
+    if (kind === "point") return { ...base, geometry: { kind, at: first[0] } };
+    if (kind === "line") return { ...base, geometry: { kind, points: first } };
+    if (kind === "area") return { ...base, geometry: { kind, rings } };
+    const circle = { north_m: first[0][0], east_m: first[0][1], radius_m: radius_m! };
+    return { ...base, circle, geometry: { kind: "area", rings: [ringOf(circle)] } };
+  });
 }
 
-function fromKml(text: string, frame: Frame): Loaded {
-  const root = new DOMParser().parseFromString(text, "application/xml");
-  if (root.querySelector("parsererror")) throw new Error("this is no XML");
-  const list = (element: Element | null): [number, number][] => (element?.textContent ?? "").trim().split(/\s+/).filter(Boolean)
-    .map((each) => toPlace(frame, each.split(",").map(Number) as Position));
-  const ring = (element: Element) => {
-    const points = list(element.querySelector("coordinates"));
-    const [a, b] = [points[0], points[points.length - 1]];
-    return points.length > 1 && Math.hypot(a[0] - b[0], a[1] - b[1]) < 1e-3 ? points.slice(0, -1) : points;
-  };
-  const loaded: Loaded = { features: [], left: 0 };
-  for (const placemark of root.getElementsByTagName("Placemark")) {
-    const name = placemark.getElementsByTagName("name")[0]?.textContent?.trim() ?? "", before = loaded.features.length;
-    const add = (geometry: Feature["geometry"]) => loaded.features.push({ name, geometry, properties: {} });
-    for (const point of placemark.getElementsByTagName("Point")) add({ kind: "point", at: list(point)[0] });
-    for (const line of placemark.getElementsByTagName("LineString")) add({ kind: "line", points: list(line.querySelector("coordinates")) });
-    for (const polygon of placemark.getElementsByTagName("Polygon"))
-      add({ kind: "area", rings: [...polygon.getElementsByTagName("outerBoundaryIs"), ...polygon.getElementsByTagName("innerBoundaryIs")].map(ring) });
-    if (loaded.features.length === before) ++loaded.left;
-  }
-  return loaded;
+export const kMaxFile = 4 << 20; // that the server takes [bytes]
+
+/** Has the server read a file, with the readers of the command line. Throws what is wrong with it, for people. */
+export async function readFeatures(file: File): Promise<Loaded> {
+  const response = await fetch(`api/drawings?name=${encodeURIComponent(file.name)}`,
+    { method: "POST", headers: { "Content-Type": "application/octet-stream" }, body: file });
+  const reply = (await response.json()) as { features?: SentFeature[]; notes?: string[]; error?: string };
+  if (!response.ok || !reply.features) throw new Error(reply.error ?? response.statusText);
+  return { features: fromServer(reply.features), notes: reply.notes ?? [] };
 }
 
 type LatLng = [number, number];
 
-interface PlanFile {
-  fileType: "Plan";
-  mission?: { items?: PlanItem[] };
-  geoFence?: { polygons?: { polygon: LatLng[]; inclusion?: boolean }[]; circles?: { circle: { center: LatLng; radius: number } }[] };
-  rallyPoints?: { points?: number[][] };
-}
-interface PlanItem {
-  type: string;
-  command?: number;
-  params?: (number | null)[];
-  polygon?: LatLng[];
-  polyline?: LatLng[];
-  items?: PlanItem[];
-}
-
 const kWaypoint = 16; // MAV_CMD_NAV_WAYPOINT
-
-/** Waypoints as one line, surveys and fences as areas, rally points as points. */
-function fromPlan(plan: PlanFile, frame: Frame): Loaded {
-  const loaded: Loaded = { features: [], left: 0 };
-  const place = ([lat, lng]: ArrayLike<number> & Iterable<number>) => toPlace(frame, [lng, lat]);
-  const add = (name: string, geometry: Feature["geometry"]) => loaded.features.push({ name, geometry, properties: {} });
-  const route: [number, number][] = [];
-  for (const item of plan.mission?.items ?? []) {
-    const lat = item.params?.[4], lng = item.params?.[5];
-    if (item.polygon) add("survey", { kind: "area", rings: [item.polygon.map(place)] });
-    else if (item.polyline) add("corridor", { kind: "line", points: item.polyline.map(place) });
-    else if (item.command === kWaypoint && lat != null && lng != null) route.push(place([lat, lng]));
-    else ++loaded.left;
-  }
-  if (route.length > 1) add("route", { kind: "line", points: route });
-  else if (route.length === 1) add("waypoint", { kind: "point", at: route[0] });
-  for (const { polygon } of plan.geoFence?.polygons ?? []) add("fence", { kind: "area", rings: [polygon.map(place)] });
-  for (const { circle } of plan.geoFence?.circles ?? []) {
-    const [north, east] = place(circle.center);
-    add("fence", { kind: "area", rings: [Array.from({ length: 64 }, (_, k): [number, number] =>
-      [north + circle.radius * Math.cos((k * Math.PI) / 32), east + circle.radius * Math.sin((k * Math.PI) / 32)])] });
-  }
-  for (const point of plan.rallyPoints?.points ?? []) add("rally point", { kind: "point", at: place(point) });
-  return loaded;
-}
 
 const toLatLng = (frame: Frame, place: [number, number]): LatLng => {
   const [lng, lat] = toPosition(frame, place);
@@ -166,11 +100,24 @@ const toLatLng = (frame: Frame, place: [number, number]): LatLng => {
 
 const kRelativeAltitude = 1, kGlobalRelativeAlt = 3; // heights count from home: of the plan, of MAV_FRAME
 
-/** A mission of QGroundControl: lines and points are flown in their order, at one height over home; areas become fences to stay in. */
+/** Whether a .plan of Skein's has room for a feature: surveys and corridors would need what QGroundControl adds to them. */
+const isFlown = ({ purpose = "", geometry }: Feature) => geometry.kind !== "area" && (purpose === "" || purpose === "route" || purpose === "waypoint");
+const isFence = ({ purpose = "", geometry }: Feature) => geometry.kind === "area" && (purpose === "" || purpose === "inclusion" || purpose === "exclusion");
+const isRally = ({ purpose, geometry }: Feature) => geometry.kind === "point" && purpose === "rally";
+
+/** How many features toPlan() leaves out. */
+export const leftOutOfPlan = (features: Feature[]) => features.filter((each) => !isFlown(each) && !isFence(each) && !isRally(each)).length;
+
+/**
+ * A mission of QGroundControl: lines and points are flown in their order, at one height over home. Areas are fences as they were loaded; one that
+ * was drawn is to stay in. Rally points stay such; surveys and corridors are left out.
+ */
 export function toPlan(features: Feature[], frame: Frame, height_m: number): string {
-  const route = features.flatMap(({ geometry }) => (geometry.kind === "point" ? [geometry.at] : geometry.kind === "line" ? geometry.points : []));
-  const areas = features.flatMap(({ geometry }) => (geometry.kind === "area" ? [geometry.rings[0]] : []));
-  const home = toLatLng(frame, route[0] ?? areas[0]?.[0] ?? [0, 0]);
+  const route = features.filter(isFlown).flatMap(({ geometry }) => (geometry.kind === "point" ? [geometry.at] : geometry.kind === "line" ? geometry.points : []));
+  const fences = features.filter(isFence).map(({ geometry, circle, purpose }) =>
+    ({ ring: geometry.kind === "area" ? geometry.rings[0] : [], circle, inclusion: purpose !== "exclusion" }));
+  const rally = features.filter(isRally).flatMap(({ geometry }) => (geometry.kind === "point" ? [geometry.at] : []));
+  const home = toLatLng(frame, route[0] ?? fences[0]?.ring[0] ?? rally[0] ?? [0, 0]);
   return JSON.stringify({
     fileType: "Plan", groundStation: "Skein", version: 1,
     mission: {
@@ -179,21 +126,13 @@ export function toPlan(features: Feature[], frame: Frame, height_m: number): str
       items: route.map((place, i) => ({ type: "SimpleItem", command: kWaypoint, frame: kGlobalRelativeAlt, autoContinue: true, doJumpId: i + 1,
         Altitude: height_m, AltitudeMode: kRelativeAltitude, AMSLAltAboveTerrain: null, params: [0, 0, 0, null, ...toLatLng(frame, place), height_m] })),
     },
-    geoFence: { version: 2, circles: [], polygons: areas.map((ring) => ({ version: 1, inclusion: true, polygon: ring.map((place) => toLatLng(frame, place)) })) },
-    rallyPoints: { version: 2, points: [] },
+    geoFence: {
+      version: 2,
+      circles: fences.flatMap(({ circle, inclusion }) => (circle ? [{ version: 1, inclusion, circle: { center: toLatLng(frame, [circle.north_m, circle.east_m]), radius: circle.radius_m } }] : [])),
+      polygons: fences.flatMap(({ ring, circle, inclusion }) => (circle ? [] : [{ version: 1, inclusion, polygon: ring.map((place) => toLatLng(frame, place)) }])),
+    },
+    rallyPoints: { version: 2, points: rally.map((place) => [...toLatLng(frame, place), height_m]) },
   }, null, 1);
-}
-
-function fromJson(text: string, frame: Frame): Loaded {
-  return (JSON.parse(text) as { fileType?: string }).fileType === "Plan" ? fromPlan(JSON.parse(text) as PlanFile, frame) : fromGeoJson(text, frame);
-}
-
-/** Throws where a file is none of them. */
-export function readFeatures(text: string, frame: Frame): Loaded {
-  const loaded = text.trimStart().startsWith("<") ? fromKml(text, frame) : fromJson(text, frame);
-  const numbers = (f: Feature) => (f.geometry.kind === "point" ? [f.geometry.at] : f.geometry.kind === "line" ? f.geometry.points : f.geometry.rings.flat()).flat();
-  const good = loaded.features.filter((f) => numbers(f).every(Number.isFinite));
-  return { features: good, left: loaded.left + loaded.features.length - good.length };
 }
 
 function save(text: string, type: string, name: string): void {

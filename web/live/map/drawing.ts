@@ -4,7 +4,7 @@ import { TerraDraw, TerraDrawCircleMode, TerraDrawLineStringMode, TerraDrawModeU
 import { TerraDrawMapLibreGLAdapter } from "terra-draw-maplibre-gl-adapter";
 import { onThemeChange, theme } from "../../report/theme";
 import type { App } from "../app";
-import type { Feature, Ring } from "../geo/features";
+import type { Circle, Feature, Purpose, Ring } from "../geo/features";
 
 export type DrawMode = "select" | "point" | "linestring" | "polygon" | "circle";
 type Id = string | number;
@@ -12,7 +12,7 @@ type Id = string | number;
 /** What was drawn: where, and a circle's middle and radius. */
 export interface Drawn extends Feature {
   id: Id;
-  circle: { north_m: number; east_m: number; radius_m: number } | null;
+  circle: Circle | null;
 }
 
 export class Drawing {
@@ -108,7 +108,7 @@ export class Drawing {
       const { north_m, east_m } = frame.toLocal({ latitude_deg: lat, longitude_deg: lng });
       return [north_m, east_m];
     };
-    const base = { id: feature.id!, name: String(properties.name ?? ""), properties: {}, circle: null };
+    const base = { id: feature.id!, name: String(properties.name ?? ""), purpose: String(properties.purpose ?? "") as Purpose, properties: {}, circle: null };
     if (geometry.type === "Point") return { ...base, geometry: { kind: "point", at: place(geometry.coordinates as number[]) } };
     if (geometry.type === "LineString") return { ...base, geometry: { kind: "line", points: (geometry.coordinates as number[][]).map(place) } };
     if (geometry.type !== "Polygon") return null;
@@ -138,8 +138,10 @@ export class Drawing {
     const draw = this.start(), { frame } = this.app;
     const round = ([north, east]: [number, number]) => frame.toLngLat(north, east).map((v) => Number(v.toFixed(9))) as [number, number];
     const ring = (points: Ring) => [...points, points[0]].map(round);
-    const made = features.flatMap(({ name, geometry }): GeoJSONStoreFeatures[] => {
-      const feature = (mode: string, g: unknown) => ({ type: "Feature", properties: { mode, name }, geometry: g }) as GeoJSONStoreFeatures;
+    const made = features.flatMap(({ name, geometry, purpose = "", circle }): GeoJSONStoreFeatures[] => {
+      const feature = (mode: string, g: unknown, more = {}) => ({ type: "Feature", properties: { mode, name, purpose, ...more }, geometry: g }) as GeoJSONStoreFeatures;
+      if (circle && geometry.kind === "area")
+        return [feature("circle", { type: "Polygon", coordinates: [ring(geometry.rings[0])] }, { radiusKilometers: circle.radius_m / 1000 })];
       if (geometry.kind === "point") return [feature("point", { type: "Point", coordinates: round(geometry.at) })];
       if (geometry.kind === "line") return geometry.points.length > 1 ? [feature("linestring", { type: "LineString", coordinates: geometry.points.map(round) })] : [];
       return geometry.rings[0]?.length > 2 ? [feature("polygon", { type: "Polygon", coordinates: [ring(geometry.rings[0])] })] : [];

@@ -2,7 +2,7 @@
 import { clock, h } from "../../report/dom";
 import type { ZoneRecord } from "../../report/records";
 import type { App } from "../app";
-import { readFeatures, saveGeoJson, saveKml, savePlan } from "../geo/files";
+import { kMaxFile, leftOutOfPlan, readFeatures, saveGeoJson, saveKml, savePlan } from "../geo/files";
 import type { DrawMode } from "../map/drawing";
 import { T } from "../texts";
 import { button, iconButton, labelledField, setText } from "../ui";
@@ -56,7 +56,7 @@ export class MissionPanel implements Panel {
         h("div", { class: "actions" }, button(T.mission.newZone, () => this.openZone()), button(T.mission.load, () => file.click()), file,
           button(T.mission.saveGeojson, () => saveGeoJson(drawing.all(), app.frame, `${app.run.name}-drawings`)),
           button(T.mission.saveKml, () => saveKml(drawing.all(), app.frame, `${app.run.name}-drawings`)),
-          button(T.mission.savePlan, () => savePlan(drawing.all(), app.frame, kPlanHeight, `${app.run.name}-drawings`))),
+          button(T.mission.savePlan, () => this.savePlan())),
         this.zoneForm, this.said, h("p", { class: "hint" }, T.mission.drawHint)),
       h("section", {}, h("h3", {}, T.mission.zones), this.zones));
   }
@@ -69,18 +69,26 @@ export class MissionPanel implements Panel {
     const chosen = file.files?.[0];
     file.value = "";
     if (!chosen) return;
+    if (chosen.size > kMaxFile) return setText(this.said, T.mission.tooLarge(chosen.name));
     try {
-      const { features, left } = readFeatures(await chosen.text(), this.app.frame);
+      const { features, notes } = await readFeatures(chosen);
       const taken = this.app.drawing.add(features);
-      setText(this.said, T.mission.loaded(taken, left + features.length - taken));
-    } catch {
-      setText(this.said, T.mission.unreadable(chosen.name));
+      setText(this.said, [T.mission.loaded(taken, features.length - taken), ...notes].join(" "));
+    } catch (problem) {
+      setText(this.said, problem instanceof Error ? problem.message : T.mission.unreadable(chosen.name));
     }
+  }
+
+  private savePlan(): void {
+    const { drawing, frame, run } = this.app, all = drawing.all(), left = leftOutOfPlan(all);
+    savePlan(all, frame, kPlanHeight, `${run.name}-drawings`);
+    setText(this.said, left > 0 ? T.mission.notInPlan(left) : "");
   }
 
   private openZone(): void {
     const drawn = this.app.drawing.drawn();
     if (drawn?.geometry.kind !== "area") return setText(this.said, T.mission.noChosen);
+    if (drawn.purpose === "inclusion") return setText(this.said, T.mission.staysIn);
     setText(this.said, "");
     this.zoneForm.hidden = false;
     this.zoneName.value = drawn.name || `zone-${this.app.world.zones.size + 1}`;
@@ -127,8 +135,9 @@ export class MissionPanel implements Panel {
       const g = drawn.geometry;
       const what = drawn.circle ? `${T.mission.draw.circle}, ${units.distance(drawn.circle.radius_m)}` : g.kind === "point" ? T.mission.draw.point
         : g.kind === "line" ? `${T.mission.draw.linestring}, ${T.task.points(g.points.length)}` : `${T.mission.draw.polygon}, ${T.task.points(g.rings[0].length)}`;
+      const purpose = drawn.purpose ? `${T.mission.purposes[drawn.purpose]}: ${what}` : what;
       return h("li", {}, h("button", { type: "button", class: "quiet", "aria-pressed": String(drawing.chosen === drawn.id), onclick: () => drawing.choose(drawn.id) },
-        drawn.name ? `${drawn.name}: ${what}` : what));
+        drawn.name ? `${drawn.name}: ${purpose}` : purpose));
     }));
   }
 

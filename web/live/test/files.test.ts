@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Frame } from "../frames";
 import type { Feature } from "../geo/features";
-import { readFeatures, toGeoJson, toKml, toPlan } from "../geo/files";
+import { fromServer, leftOutOfPlan, toGeoJson, toKml, toPlan } from "../geo/files";
 
 const frame = new Frame({ latitude_deg: 36.6, longitude_deg: -121.6, height_m: 0 });
 const features: Feature[] = [
@@ -11,13 +11,15 @@ const features: Feature[] = [
   { name: "point", geometry: { kind: "point", at: [-20, 30] }, properties: {} },
 ];
 
-test("GeoJSON comes back as it went, to the centimetre of its digits", () => {
-  const { features: read, left } = readFeatures(toGeoJson(features, frame), frame);
-  assert.equal(left, 0);
-  assert.deepEqual(read.map(({ name }) => name), features.map(({ name }) => name));
-  const ring = read[0].geometry.kind === "area" ? read[0].geometry.rings[0] : [];
-  assert.equal(ring.length, 4);
-  for (const [north, east] of ring) assert.ok(Math.min(Math.abs(north), Math.abs(north - 100)) < 0.01 && Math.min(Math.abs(east), Math.abs(east - 100)) < 0.01);
+test("GeoJSON has places to the centimetre of its digits, and what shapes are for", () => {
+  const [first] = (JSON.parse(toGeoJson([{ ...features[0], purpose: "exclusion" }], frame)) as
+    { features: { properties: Record<string, unknown>; geometry: { coordinates: [number, number][][] } }[] }).features;
+  assert.equal(first.properties.purpose, "exclusion");
+  assert.equal(first.geometry.coordinates[0].length, 5);
+  for (const [lng, lat] of first.geometry.coordinates[0]) {
+    const { north_m, east_m } = frame.toLocal({ latitude_deg: lat, longitude_deg: lng });
+    assert.ok(Math.min(Math.abs(north_m), Math.abs(north_m - 100)) < 0.01 && Math.min(Math.abs(east_m), Math.abs(east_m - 100)) < 0.01);
+  }
 });
 
 test("outer rings run against the clock, as RFC 7946 wants", () => {
@@ -28,40 +30,46 @@ test("outer rings run against the clock, as RFC 7946 wants", () => {
   assert.deepEqual(ring[0], ring[ring.length - 1]);
 });
 
-test("a .plan comes back: lines and points as one route, areas as fences", () => {
-  const { features: read, left } = readFeatures(toPlan(features, frame, 80), frame);
-  assert.equal(left, 0);
-  const route = read.find(({ geometry }) => geometry.kind === "line")!.geometry, fence = read.find(({ geometry }) => geometry.kind === "area")!.geometry;
+interface Plan {
+  mission: { items: { params: number[] }[] };
+  geoFence: { polygons: { inclusion: boolean }[]; circles: { inclusion: boolean; circle: { radius: number } }[] };
+  rallyPoints: { points: number[][] };
+}
+
+test("in a .plan lines and points are one route, drawn areas fences to stay in", () => {
+  const plan = JSON.parse(toPlan(features, frame, 80)) as Plan;
   const expected = [[0, 0], [50, 80], [-20, 30]];
-  (route.kind === "line" ? route.points : []).forEach(([north, east], i) => assert.ok(Math.hypot(north - expected[i][0], east - expected[i][1]) < 0.01));
-  assert.equal(fence.kind === "area" ? fence.rings[0].length : 0, 4);
-  const item = (JSON.parse(toPlan(features, frame, 80)) as { mission: { items: { params: number[] }[] } }).mission.items[0];
-  assert.equal(item.params[6], 80);
+  assert.equal(plan.mission.items.length, 3);
+  plan.mission.items.forEach(({ params }, i) => {
+    const { north_m, east_m } = frame.toLocal({ latitude_deg: params[4], longitude_deg: params[5] });
+    assert.ok(Math.hypot(north_m - expected[i][0], east_m - expected[i][1]) < 0.01);
+    assert.equal(params[6], 80);
+  });
+  assert.deepEqual(plan.geoFence.polygons.map(({ inclusion }) => inclusion), [true]);
+});
+
+test("what a .plan says something is for stays so", () => {
+  const square: [number, number][] = [[0, 0], [100, 0], [100, 100], [0, 100]];
+  const loaded = fromServer([
+    { name: "survey", purpose: "survey", kind: "area", rings: [square], radius_m: null },
+    { name: "route", purpose: "route", kind: "line", rings: [[[0, 0], [50, 0]]], radius_m: null },
+    { name: "fence", purpose: "inclusion", kind: "area", rings: [square], radius_m: null },
+    { name: "fence", purpose: "exclusion", kind: "area", rings: [square], radius_m: null },
+    { name: "fence", purpose: "exclusion", kind: "circle", rings: [[[10, 20]]], radius_m: 40 },
+    { name: "rally point", purpose: "rally", kind: "point", rings: [[[0, 150]]], radius_m: null },
+  ]);
+  const plan = JSON.parse(toPlan(loaded, frame, 80)) as Plan;
+  assert.deepEqual(plan.geoFence.polygons.map(({ inclusion }) => inclusion), [true, false]);
+  assert.deepEqual(plan.geoFence.circles.map(({ inclusion, circle }) => [inclusion, circle.radius]), [[false, 40]]);
+  assert.equal(plan.mission.items.length, 2);
+  assert.equal(plan.rallyPoints.points.length, 1);
+  assert.equal(leftOutOfPlan(loaded), 1);
+  const ring = loaded[4].geometry.kind === "area" ? loaded[4].geometry.rings[0] : [];
+  assert.ok(ring.length === 64 && ring.every(([north, east]) => Math.abs(Math.hypot(north - 10, east - 20) - 40) < 1e-9));
 });
 
 test("what was typed is escaped in KML", () => {
   const kml = toKml(features, frame);
   assert.ok(!kml.includes("<b>"));
   assert.ok(kml.includes("a &#60;b&#62; &#38; &#34;c&#34;"));
-});
-
-test("other geometries are taken apart or left out; nonsense throws", () => {
-  const text = JSON.stringify({ type: "FeatureCollection", features: [
-    { type: "Feature", properties: null, geometry: { type: "MultiPoint", coordinates: [[-121.6, 36.6], [-121.61, 36.61]] } },
-    { type: "Feature", properties: {}, geometry: null }, { type: "Feature", properties: {}, geometry: { type: "Point", coordinates: ["x", 1] } }] });
-  const { features: read, left } = readFeatures(text, frame);
-  assert.equal(read.length, 2);
-  assert.equal(left, 2);
-  assert.throws(() => readFeatures("no JSON", frame));
-});
-
-test("a .plan gives its route, surveys and fences", () => {
-  const item = (lat: number, lng: number, command = 16) => ({ type: "SimpleItem", command, params: [0, 0, 0, null, lat, lng, 50] });
-  const { features: read, left } = readFeatures(JSON.stringify({ fileType: "Plan", version: 1,
-    mission: { items: [item(36.6, -121.6, 22), item(36.6, -121.6), item(36.61, -121.6), { type: "ComplexItem", polygon: [[36.6, -121.6], [36.61, -121.6], [36.61, -121.59]] }] },
-    geoFence: { polygons: [], circles: [{ circle: { center: [36.6, -121.6], radius: 100 } }] } }), frame);
-  assert.deepEqual(read.map(({ name }) => name), ["survey", "route", "fence"]);
-  assert.equal(left, 1);
-  const fence = read[2].geometry.kind === "area" ? read[2].geometry.rings[0] : [];
-  assert.ok(fence.every(([north, east]) => Math.abs(Math.hypot(north, east) - 100) < 1e-3));
 });

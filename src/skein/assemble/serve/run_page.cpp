@@ -7,6 +7,7 @@
 #include <random>
 
 #include "skein/assemble/aircraft_builder.h"
+#include "skein/assemble/serve/drawing_files.h"
 #include "skein/assemble/serve/fire_files.h"
 #include "skein/assemble/serve/resident_memory.h"
 #include "skein/assemble/serve/task_forms.h"
@@ -259,6 +260,7 @@ bool RunPage::is_known(std::string_view path) const {
 }
 
 hmi::HttpAnswer RunPage::answer(const hmi::HttpRequest& request) const {
+  if (request.path == kDrawingsPath && frame_) return drawings_of(request, *frame_);
   const bool is_read = request.method == "GET" || request.method == "HEAD";
   if (!is_read && is_known(request.path)) {
     hmi::HttpAnswer answer =

@@ -9,17 +9,23 @@
 
 #include "skein/exchange/zones.h"
 
-// Any bytes as GeoJSON and as KML: no crash, and what is accepted is finite and sane.
+// Any bytes as GeoJSON, as KML and as what a page sends (.plan too): no crash, and what
+// is accepted is finite and sane.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace skein;
   using namespace skein::exchange;
   static const geo::LocalFrame frame = geo::LocalFrame::at({50, 14, 0}).value();
   std::vector<std::uint8_t> bytes(data, data + size);
-  for (const char* name : {"/vsimem/fuzz.geojson", "/vsimem/fuzz.kml"}) {
-    VSIFCloseL(VSIFileFromMemBuffer(name, bytes.data(), bytes.size(), FALSE));
+  for (const std::string name : {"/vsimem/fuzz.geojson", "/vsimem/fuzz.kml", "sent"}) {
+    const bool sent = name == "sent";
+    if (!sent)
+      VSIFCloseL(VSIFileFromMemBuffer(name.c_str(), bytes.data(), bytes.size(), FALSE));
     std::vector<std::string> warnings;
-    const auto features = read_map(name, &frame, warnings);
-    VSIUnlink(name);
+    const auto features = sent
+                              ? read_map_text({reinterpret_cast<const char*>(data), size},
+                                              name, frame, warnings)
+                              : read_map(name, &frame, warnings);
+    if (!sent) VSIUnlink(name.c_str());
     if (!features) {
       if (features.error().message.empty()) std::abort();
       continue;

@@ -1,5 +1,6 @@
 // Maps as people draw them, and as nobody should.
 #include <cpl_vsi.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -289,6 +290,38 @@ TEST(Map, AMissingFileIsNotThere) {
   std::vector<std::string> warnings;
   EXPECT_EQ(read_map("nothing.geojson", nullptr, warnings).error().code,
             ErrorCode::kNotFound);
+}
+
+TEST(MapFiles, AnAreaThatIsCutAtTheDateLineIsOne) {
+  const geo::LocalFrame fiji = geo::LocalFrame::at({-16.8, 180, 0}).value();
+  const auto ring = [](double west, double east) {
+    return fmt::format(
+        "[[[{0},-16.805],[{1},-16.805],[{1},-16.795],[{0},-16.795],"
+        "[{0},-16.805]]]",
+        west, east);
+  };
+  const Read cut =
+      read(collection(feature("MultiPolygon", "[" + ring(179.995, 180) + "," +
+                                                  ring(-180, -179.995) + "]")),
+           &fiji);
+  ASSERT_TRUE(cut.features) << cut.features.error().text();
+  ASSERT_EQ(cut.features.value().size(), 1u);
+  const auto area = area_of(cut.features.value());
+  ASSERT_TRUE(area) << area.error().text();
+  EXPECT_NEAR(geo::area({area.value().points}), 1.18e6, 0.01e6);
+  const Read apart =
+      read(collection(feature("MultiPolygon", "[" + ring(179.995, 179.997) + "," +
+                                                  ring(-180, -179.995) + "]")),
+           &fiji);
+  EXPECT_EQ(apart.features.value().size(), 2u);
+}
+
+TEST(MapFiles, PlacesBeyondTheHorizonAreFarNotNear) {
+  const geo::LocalFrame here = geo::LocalFrame::at({50, 14, 0}).value();
+  // The plane folds back there: the antipode would lie at the origin.
+  EXPECT_NE(error_of_map(collection(feature("Point", "[-166,-50]")), &here)
+                .find("km from the origin"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -39,14 +39,28 @@ void DestroyTransform::operator()(void* transform) const {
       static_cast<OGRCoordinateTransformationH>(transform));
 }
 
-GdalDataset open_dataset(const std::string& name, DataKind kind) {
+namespace {
+
+GdalDataset open_with(const std::string& name, DataKind kind,
+                      const char* const* allowed_drivers) {
   const unsigned flags = kind == DataKind::kRaster ? GDAL_OF_RASTER : GDAL_OF_VECTOR;
   // What a text that looks like a date means is not for GDAL to guess (9/5/21 would be
   // May 2009). Drivers without the option say so in a warning, which nobody reads.
   const char* const texts[] = {"DATE_AS_STRING=YES", nullptr};
-  return GdalDataset(GDALOpenEx(name.c_str(),
-                                flags | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
-                                kind == DataKind::kVector ? texts : nullptr, nullptr));
+  return GdalDataset(
+      GDALOpenEx(name.c_str(), flags | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                 allowed_drivers, kind == DataKind::kVector ? texts : nullptr, nullptr));
+}
+
+}  // namespace
+
+GdalDataset open_dataset(const std::string& name, DataKind kind) {
+  return open_with(name, kind, nullptr);
+}
+
+GdalDataset open_sent_dataset(const std::string& name) {
+  const char* const drivers[] = {"GeoJSON", "ESRIJSON", "LIBKML", "KML", nullptr};
+  return open_with(name, DataKind::kVector, drivers);
 }
 
 GdalTransform transform_to_degrees(void* system) {

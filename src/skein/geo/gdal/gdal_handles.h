@@ -22,6 +22,9 @@ enum class DataKind { kRaster, kVector };
 /// `GdalGuard` that the caller holds has the reason.
 GdalDataset open_dataset(const std::string& name, DataKind kind);
 
+/// The same for what somebody sent: GeoJSON and KML only, whatever it looks like.
+GdalDataset open_sent_dataset(const std::string& name);
+
 /// Transforms between a coordinate reference system (an OGRSpatialReferenceH, not null)
 /// and WGS 84 degrees, x being the longitude. Null when there is none; a `GdalGuard` that
 /// the caller holds has the reason.
