@@ -100,13 +100,13 @@ Result<NetworkCase> read_case(const NetArguments& given) {
 // Goes on step by step, says how far it is, and ends early when asked to.
 void run_to_end(communication::NetworkRun& run, const NetworkCase& network,
                 const std::atomic<bool>& stop) {
-  using Clock = std::chrono::steady_clock;
-  auto said = Clock::now();
+  using std::chrono::steady_clock;
+  auto reported = steady_clock::now();
   constexpr std::int64_t kParts = 1000;
   for (std::int64_t part = 1; part <= kParts && !stop; ++part) {
     run.advance(Time::from_ns(network.duration.ns() / kParts * part));
-    if (Clock::now() - said < std::chrono::seconds(5)) continue;
-    said = Clock::now();
+    if (steady_clock::now() - reported < std::chrono::seconds(5)) continue;
+    reported = steady_clock::now();
     complain("{:.1f} of {:.6g} s\n", run.now().seconds(), network.duration.seconds());
   }
   if (!stop) run.advance(network.duration);

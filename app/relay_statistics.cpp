@@ -8,7 +8,7 @@ namespace {
 using impairment::Direction;
 using impairment::kDirections;
 
-const char* name_of(Direction direction) {
+const char* direction_name(Direction direction) {
   return direction == Direction::kToB ? "to-b" : "to-a";
 }
 
@@ -19,7 +19,7 @@ std::string csv_rows(double time, const relay::SessionReport& session) {
     const impairment::ChannelCounts& counts = all.counts;
     rows += fmt::format(
         "{:.3f},{},{},{},{},{},{},{},{},{},{},{},{},{:.6f},{:.6f},{},{},{},{},{}\n", time,
-        session.number, session.name, name_of(direction), counts.packets_in,
+        session.number, session.name, direction_name(direction), counts.packets_in,
         counts.bytes_in, counts.packets_out, counts.bytes_out, counts.lost_by_chance,
         counts.lost_queue_full, counts.lost_in_outage, counts.duplicated,
         counts.reordered, counts.delay_mean(), counts.delay_max.seconds(),
@@ -42,7 +42,7 @@ std::string relay_table(const relay::RelayReport& report) {
     text += fmt::format(
         "{:<5} {:>9} {:>11} {:>9} {:>11} {:>8} {:>8} {:>8} {:>8} {:>9} {:>10.1f} "
         "{:>9.1f} {:>8} {:>8} {:>8}\n",
-        name_of(direction), counts.packets_in, counts.bytes_in, counts.packets_out,
+        direction_name(direction), counts.packets_in, counts.bytes_in, counts.packets_out,
         counts.bytes_out, counts.lost_by_chance, counts.lost_queue_full,
         counts.lost_in_outage, counts.duplicated, counts.reordered,
         1e3 * counts.delay_mean(), 1e3 * counts.delay_max.seconds(),
