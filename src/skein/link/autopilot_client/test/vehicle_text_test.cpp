@@ -9,6 +9,7 @@
 #include "skein/link/autopilot_client/autopilot_client.h"
 #include "skein/link/mavlink/frame_parser.h"
 #include "skein/link/vehicle_services/test/paper_vehicle.h"
+#include "skein/link/vehicle_services/test/station.h"
 
 namespace skein::autopilot_client {
 namespace {
