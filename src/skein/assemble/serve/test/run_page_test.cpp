@@ -170,6 +170,7 @@ TEST(RunPage, SaysWhatThereIsToKnowOfTheRun) {
     EXPECT_EQ(other.result_int(), 405U) << known;
     EXPECT_EQ(other["Allow"], "GET, HEAD") << known;
   }
+  EXPECT_EQ(hmi::ask(port, {.target = "/api/drawings"})["Allow"], "POST");
   EXPECT_EQ(
       hmi::ask(port, {.method = hmi::http::verb::put, .target = "/nothing"}).result_int(),
       404U);
@@ -238,8 +239,9 @@ TEST(RunPage, AnswersWhatItsDescriptionForProgramsSays) {
     for (const auto& [key, value] : body.items()) said.insert(key);
     EXPECT_EQ(said, required) << target;
   }
-  EXPECT_EQ(paths, (std::set<std::string>{"/api/fire.{format}", "/api/health", "/api/run",
-                                          "/api/terrain", "/login"}));
+  EXPECT_EQ(paths,
+            (std::set<std::string>{"/api/drawings", "/api/fire.{format}", "/api/health",
+                                   "/api/run", "/api/terrain", "/login"}));
   // Of a run that has not begun.
   for (const auto& format :
        described["paths"]["/api/fire.{format}"]["get"]["parameters"][0]["schema"]["enum"])
