@@ -67,6 +67,7 @@ class Consent : public Program {
 
   // Runs a command to its end, or until it serves a page.
   Finished attempt(const Words& command) {
+    fs::remove(folder_ / "err.txt");  // of the command before
     const pid_t child = start(command);
     for (int k = 0; k < 3000 && !is_serving(); ++k) {
       siginfo_t info{};
@@ -195,6 +196,11 @@ TEST_F(Consent, IsGivenByTheCommandLine) {
   EXPECT_TRUE(was_run());
   write("evil.yaml", program_scenario());
   run({"run", "evil.yaml", "--out", "out", "--trust", "."});
+  EXPECT_TRUE(was_run());
+  run({"agent", "evil.yaml", "--entity", "mine-1", "--for", "1", "--trust", "."});
+  EXPECT_TRUE(was_run());
+  write("campaign.yaml", campaign("evil.yaml"));
+  run({"campaign", "campaign.yaml", "--out", "campaign", "--trust", "."});
   EXPECT_TRUE(was_run());
   EXPECT_EQ(run({"check", "evil.yaml", "--trust", "nowhere"}).status, 2);
 }
