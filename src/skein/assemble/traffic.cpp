@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "skein/base/alike_lines.h"
 #include "skein/base/random.h"
 #include "skein/role/traffic_aircraft.h"
 
@@ -42,6 +43,7 @@ Result<std::vector<simulation::WorldTraffic>> make_traffic(
     const geo::LocalFrame& frame, std::span<const simulation::Entity> entities,
     std::vector<std::string>& warnings) {
   std::vector<simulation::WorldTraffic> all;
+  const std::size_t said = warnings.size();
   std::map<std::string, int> named;  // how many have a group's name
   for (std::size_t g = 0; g < scenario.traffic.size(); ++g) {
     const TrafficGroup& group = scenario.traffic[g];
@@ -85,6 +87,7 @@ Result<std::vector<simulation::WorldTraffic>> make_traffic(
       next.until = group.leave.value_or(scenario.duration + Time::from_ns(1));
     }
   }
+  join_alike_lines(warnings, said);
   return all;
 }
 

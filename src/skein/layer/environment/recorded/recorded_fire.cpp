@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "skein/base/alike_lines.h"
 #include "skein/geo/gdal/vector_files.h"
 #include "skein/geo/unit_words.h"
 #include "skein/layer/environment/raster/raster_file.h"
@@ -288,6 +289,7 @@ Result<std::unique_ptr<Phenomenon>> make_recorded_fire(
     const RecordedFireOptions& options, const geo::LocalFrame& frame,
     std::vector<std::string>& warnings) {
   if (const auto good = check_options(options); !good) return good.error();
+  const std::size_t before = warnings.size();
   if (is_arrival(options)) {
     const auto arrival = load_arrival(options, warnings);
     if (!arrival) return arrival.error();
@@ -300,6 +302,7 @@ Result<std::unique_ptr<Phenomenon>> make_recorded_fire(
   if (!raw) return raw.error();
   const auto series = load_series(options, std::move(raw).value(), frame, warnings);
   if (!series) return series.error();
+  join_alike_lines(warnings, before);
   const auto& perimeters = series.value().perimeters;
   const auto shape =
       grid_for(options, box_of(perimeters.back().region), perimeters.size());
@@ -312,6 +315,7 @@ Result<RecordedFireSummary> summarise_recorded_fire(const RecordedFireOptions& o
                                                     std::vector<std::string>& warnings) {
   if (const auto good = check_options(options); !good) return good.error();
   RecordedFireSummary summary;
+  const std::size_t before = warnings.size();
   if (is_arrival(options)) {
     const auto arrival = load_arrival(options, warnings);
     if (!arrival) return arrival.error();
@@ -349,6 +353,7 @@ Result<RecordedFireSummary> summarise_recorded_fire(const RecordedFireOptions& o
   const auto series =
       load_series(options, std::move(raw).value(), first_frame.value(), warnings);
   if (!series) return series.error();
+  join_alike_lines(warnings, before);
   const auto& perimeters = series.value().perimeters;
   summary.origin = first_frame.value().from_plane(centroid(perimeters.front().region));
   summary.origin.height_m = 0;
