@@ -20,6 +20,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     at += kMark.size();
     overrides.push_back({std::string(text.substr(at, text.find('\n', at) - at))});
   }
+  // As the scenario of a recorded run, of which less is asked.
+  const ReadOutcome recorded = read_recorded_scenario_text(text, "fuzz", "/", kinds);
+  if (recorded.ok() == (recorded.problem_count > 0)) std::abort();
   const ReadOutcome outcome = read_scenario_text(text, "fuzz", "/", kinds, overrides);
   if (outcome.ok() == (outcome.problem_count > 0)) std::abort();
   if (!outcome.ok()) {
