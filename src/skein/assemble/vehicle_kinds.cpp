@@ -134,10 +134,11 @@ Fields<MavlinkOptions> mavlink_fields() {
                   "Its sensors see nothing, and it is sent no setpoints, when its last "
                   "position is older.",
                   {.at_least = 0.5, .at_most = 60})
-      .number("max_start_distance_m", &T::max_start_distance,
-              "It is not commanded when it is further from its start, on the map, before "
-              "it has been commanded first; nor when its home is.",
-              {.above = 0, .at_most = 20'000'000})
+      .number(
+          "max_start_distance_m", &T::max_start_distance,
+          "It is not taken off when it, or its home, is further from its start, on the "
+          "map; nor commanded in flight, for the first time, ten times as far.",
+          {.above = 0, .at_most = 20'000'000})
       .number(
           "max_start_height_error_m", &T::max_start_height_error,
           "It is not taken off when it stands so much higher or lower than its start.",

@@ -11,6 +11,7 @@ namespace skein::mixed {
 namespace {
 
 constexpr double kPatience = 15;         // [s]
+constexpr double kJumpPatience = 3;      // until it has jumped back [s]
 constexpr double kClimbPatience = 30;    // [s]
 constexpr double kClimbStep = 1;         // that is a climb [m]
 constexpr double kObeyedPatience = 30;   // with setpoints, once it has obeyed some [s]
@@ -40,7 +41,7 @@ std::string CommandMonitor::step(Time now, const Inputs& in) {
     astray_ = 0;
     return {};
   }
-  if (in.jumped) return "its position has jumped";
+  if (lasts(kJump, in.jumped, now, kJumpPatience)) return "its position has jumped";
   if (lasts(kPosition, !in.position, now, kPatience))
     return fmt::format("its last position is {:.0f} s old", in.position_age);
   if (lasts(kMode, !in.taking_off && !in.guided, now, kPatience))

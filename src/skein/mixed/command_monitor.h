@@ -13,7 +13,7 @@ namespace skein::mixed {
 /// Whether a vehicle in the air can be commanded: it says where it is, is in the mode
 /// that it is led in, climbs when it takes off, and goes where its setpoints lead.
 ///
-/// A position that jumps is at once, what fails for 15 s on end is the reason why it is
+/// What fails for 15 s on end (a position that has jumped: 3 s) is the reason why it is
 /// to be brought back; 30 s of a climb that stops, and of setpoints once it has obeyed
 /// some: wind too keeps it from its place.
 class CommandMonitor {
@@ -43,7 +43,7 @@ class CommandMonitor {
 
  private:
   // How long each has lasted.
-  enum Reason : std::size_t { kPosition, kMode, kClimb, kReasons };
+  enum Reason : std::size_t { kPosition, kJump, kMode, kClimb, kReasons };
   bool lasts(Reason reason, bool fails, Time now, double limit);
   void follows(bool follows, Time now);
 

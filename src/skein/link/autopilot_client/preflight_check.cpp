@@ -20,6 +20,7 @@ constexpr double kMinPositionRate = 1;  // [Hz]
 constexpr double kMaxSilence = 3;       // of heartbeats [s]
 constexpr double kMaxLinkTrip = 2;      // [s]
 constexpr double kSteadyAfter = 10;     // a jump of position or clock [s]
+constexpr double kFlightShare = 10;     // of the distance on the ground, in flight
 constexpr double kMinCharge = 0.2;      // of the battery
 
 // MAV_TYPE.
@@ -138,11 +139,12 @@ bool knows_position(const PositionQuality& quality) {
 
 std::string misplaced(const Vec3& p_N, const StartArea& start, bool on_ground) {
   const double distance = geo::horizontal(p_N - start.p_N).norm();
-  if (distance > start.max_distance)
+  const double allowed = (on_ground ? 1 : kFlightShare) * start.max_distance;
+  if (distance > allowed)
     return fmt::format(
-        "it is {} from its start, {} are allowed "
+        "it is {} from its start, {} are allowed{} "
         "(vehicle.max_start_distance_m)",
-        as_distance(distance), as_distance(start.max_distance));
+        as_distance(distance), as_distance(allowed), on_ground ? "" : " in flight");
   const double height = start.p_N.z() - p_N.z();
   if (on_ground && std::abs(height) > start.max_height_error)
     return fmt::format(

@@ -63,7 +63,8 @@ PreflightResult check_preflight(const PreflightInputs& in);
 
 /// How far a vehicle is from where it may be commanded first, as a text with what is
 /// allowed and the key; empty: it is near enough.
-/// @param on_ground  its altitude counts too.
+/// @param on_ground  its altitude counts too; in flight, as when a run begins again, ten
+///                   times the distance is allowed.
 std::string misplaced(const Vec3& p_N, const StartArea& start, bool on_ground);
 
 }  // namespace skein::autopilot_client

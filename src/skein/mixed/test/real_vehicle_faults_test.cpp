@@ -126,6 +126,21 @@ TEST_P(RealVehicleFaults, SomewhereElseIsNotTakenOff) {
   expect_not_asked({.no_home = true}, "home: not known");
 }
 
+TEST_P(RealVehicleFaults, SomewhereElseInTheAirIsNotCommanded) {
+  for (const double north : {20'000.0, 900.0}) {
+    const bool far = north > 10'000;
+    FakeRun run(GetParam(), {.displaced = {north, 0, 0}});
+    run.fake.p_N.z() -= 40;
+    run.fake.armed = true;
+    run.fake.change_mode(VehicleMode::kHold);
+    run.run(60);
+    EXPECT_EQ(run.count("wrong-place", "it is 20.0 km from its start"), far ? 1u : 0u)
+        << run.told();
+    EXPECT_EQ(run.fake.commands[176] == 0, far) << run.told();
+    EXPECT_EQ(run.fake.setpoints == 0, far) << run.told();
+  }
+}
+
 TEST_P(RealVehicleFaults, WhatIsNotReadyIsNotTakenOff) {
   expect_not_asked({.no_fix = true}, "position: it has no 3D fix");
   expect_not_asked({.charge = 0.1}, "energy: its battery has 10 %");
