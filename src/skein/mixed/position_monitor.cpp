@@ -35,7 +35,7 @@ PositionMonitor::State PositionMonitor::state_now(
   return jumped_N_.norm() > kSlack ? State::kJumped : State::kGood;
 }
 
-void PositionMonitor::lose(State state, Time now, bool link_up,
+void PositionMonitor::lose(State state, Time now, bool link_up, bool on_ground,
                            std::vector<VehicleEvent>& events) {
   if (is_good()) lost_at_ = now;
   state_ = state;
@@ -50,7 +50,8 @@ void PositionMonitor::lose(State state, Time now, bool link_up,
     why_ =
         fmt::format("its last position is {:.1f} s old", (now - last_->time).seconds());
   }
-  if (state == State::kOld && !link_up) return;
+  // On the ground it is an item of the check before take-off.
+  if ((state == State::kOld && !link_up) || on_ground) return;
   said_ = true;
   events.push_back({kind, why_ + "; it is not commanded by position until it is good"});
 }
@@ -62,12 +63,13 @@ void PositionMonitor::step(Time now, const VehicleCondition& condition, bool lin
   if (state != State::kGood) good_since_.reset();
   if (state == State::kUnknown || (state == State::kGood && is_good())) return;
   if (state != State::kGood) {
-    if (state != state_) lose(state, now, link_up, events);
+    if (state != state_) lose(state, now, link_up, condition.on_ground, events);
     return;
   }
-  // At first at once, then after a while.
+  // What was wrong may be wrong again.
+  const bool settles = state_ == State::kLost || state_ == State::kJumped;
   if (!good_since_) good_since_ = now;
-  if (state_ != State::kUnknown && now - *good_since_ < kSettles) return;
+  if (settles && now - *good_since_ < kSettles) return;
   if (said_)
     events.push_back(
         {"position-back", fmt::format("its position is good again after {:.1f} s",

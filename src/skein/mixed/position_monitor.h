@@ -19,8 +19,8 @@ namespace skein::mixed {
 ///
 /// When satellites are back after a loss, where it is then is no jump. What it jumped is
 /// remembered: it is good again once it has jumped back, or when
-/// somebody says so (accept()). Each loss is one event, and so is its end, after a second
-/// without another.
+/// somebody says so (accept()). Each loss is one event, and so is its end: of a jump, and
+/// of flight by dead reckoning, after a second without another.
 class PositionMonitor {
  public:
   /// @param max_speed  over ground [m/s].
@@ -31,7 +31,9 @@ class PositionMonitor {
   void hear(const VehicleMotion& motion);
 
   /// Once a step of the run.
-  /// @param link_up  else the loss of the link says it all.
+  /// @param link_up  else the loss of the link says it all. On the ground nothing is
+  /// said:
+  ///                 where it is, is checked before its take-off.
   void step(Time now, const VehicleCondition& condition, bool link_up,
             std::vector<VehicleEvent>& events);
 
@@ -47,7 +49,8 @@ class PositionMonitor {
  private:
   enum class State : std::uint8_t { kUnknown, kGood, kOld, kLost, kJumped };
   State state_now(Time now, const VehicleCondition& condition) const;
-  void lose(State state, Time now, bool link_up, std::vector<VehicleEvent>& events);
+  void lose(State state, Time now, bool link_up, bool on_ground,
+            std::vector<VehicleEvent>& events);
 
   double max_speed_;
   Time max_age_;

@@ -84,6 +84,7 @@ class FakeVehicle {
   // Its truth.
   Vec3 p_N = Vec3::Zero(), v_N = Vec3::Zero();
   bool armed = false;
+  bool critical = false;  ///< as its heartbeats say of its state
   VehicleMode mode() const { return mavlink::mode_of(make_, true, custom_mode_); }
   bool on_ground() const { return p_N.z() > home_.z() - 0.3; }
   double height() const { return home_.z() - p_N.z(); }
@@ -100,6 +101,14 @@ class FakeVehicle {
   /// Someone else changes its mode: a pilot, or a failsafe of its own.
   void change_mode(VehicleMode to) {
     if (const auto number = mavlink::custom_mode_of(make_, true, to)) set_mode(*number);
+  }
+
+  /// It says something to people.
+  void say(std::uint8_t severity, const std::string& what) {
+    mavlink::Statustext text;
+    text.severity = severity;
+    mavlink::set_text(text.text, what);
+    out_.send(1, text);
   }
 
   /// Frames that it has sent since the last call.
@@ -213,7 +222,8 @@ class FakeVehicle {
     heartbeat.base_mode = static_cast<std::uint8_t>(mavlink::kModeCustom |
                                                     (armed ? mavlink::kModeArmed : 0));
     heartbeat.custom_mode = custom_mode_;
-    heartbeat.system_status = armed ? 4 : 3;
+    constexpr std::uint8_t kStandby = 3, kActive = 4, kCritical = 5;
+    heartbeat.system_status = critical ? kCritical : armed ? kActive : kStandby;
     heartbeat.mavlink_version = 3;
     out_.send(1, heartbeat);
     mavlink::ExtendedSysState landed;

@@ -83,6 +83,7 @@ struct Flight {
     parts.guidance = std::make_unique<NoGuidance>();
     parts.payload.push_back(std::make_unique<FireBelow>());
     parts.limits.slowest = 0;
+    parts.limits.fastest = 1000;  // tests put it where they want it
     parts.feeds = std::move(feeds);
     vehicle = std::make_unique<RealVehicle>(std::move(parts));
     // A step before the first: in one it takes in once.
