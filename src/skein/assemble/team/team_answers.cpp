@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace skein::assemble {
 namespace {
 
@@ -14,6 +16,18 @@ std::string listed(const std::vector<std::vector<std::size_t>>& routes,
       text += fmt::format("{}{}", k > 0 ? " " : "", names[routes[a][k]]);
   }
   return text;
+}
+
+// A bound with nine digits, rounded away from the value: what is written still bounds.
+std::string shown_bound(const allocation::Quality& quality) {
+  constexpr double kDigits = 1e9;
+  double bound = quality.bound;
+  if (std::abs(bound) < 1e6 && bound != quality.value) {  // else digits are no matter
+    bound =
+        bound > quality.value ? std::ceil(bound * kDigits) : std::floor(bound * kDigits);
+    bound /= kDigits;
+  }
+  return fmt::format("{:.9f}", bound);
 }
 
 // As a cell of a table: in quotation marks where it has to be.
@@ -63,8 +77,8 @@ std::string answer_header() {
 std::string answer_row(const TeamAnswer& answer, double milliseconds) {
   const std::string value =
       answer.feasible ? fmt::format("{:.9f}", answer.quality.value) : "";
-  return fmt::format("{},{},{},{:.9f},{},{:.3f}\n", cell(answer.id), value,
-                     cell(answer.answer), answer.quality.bound,
+  return fmt::format("{},{},{},{},{},{:.3f}\n", cell(answer.id), value,
+                     cell(answer.answer), shown_bound(answer.quality),
                      answer.quality.proven ? 1 : 0, milliseconds);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "skein/base/math.h"
 #include "skein/layer/reasoning/team/allocation/satisfaction_form.h"
@@ -10,9 +11,16 @@ namespace skein::allocation {
 namespace {
 
 constexpr std::int64_t kMaxNodes = 200'000;
+// Groups that are not worth more than the best by this are not searched for; the bound
+// has it.
+constexpr double kPruned = 1e-13;
+// A relaxation that fills a group up to kWhole ends at it up to the rounding of its sum:
+// it is taken for whole from a little below.
+constexpr double kNearlyWhole = kWhole - 1e-12;
 
 struct Candidate {
   double brings, cost;
+  double rate;  // cost for what it brings
   std::uint32_t who;
 };
 
@@ -29,15 +37,16 @@ class GroupSearch {
   }
 
   double best() const { return best_; }
-  double bound() const { return std::max(best_, cut_off_); }
+  double bound() const { return std::max(best_ + kPruned, cut_off_); }
   const std::vector<std::uint32_t>& members() const { return best_members_; }
 
  private:
-  // What candidates from k on can make of it when parts of them may join.
+  // What candidates from k on can make of it when parts of them may join: nothing that
+  // they make of it is worth more, whatever the rounding of its sums.
   double relaxed(std::size_t k, double brought, double cost) const {
     for (; k < candidates_.size(); ++k) {
       const Candidate& c = candidates_[k];
-      const double rate = c.cost / c.brings;
+      const double rate = c.rate;
       const double needed = form_ == Satisfaction::kRoot ? kWhole - brought : 0;
       double useful = 1 - brought;  // kShare: up to the whole, at any rate below 1
       if (form_ == Satisfaction::kRoot)
@@ -50,7 +59,12 @@ class GroupSearch {
       cost += part * rate;
       if (part < c.brings) break;
     }
+    if (is_nearly_whole(brought)) brought = 1;
     return satisfaction_of_sum(form_, brought) - cost;
+  }
+
+  bool is_nearly_whole(double brought) const {
+    return form_ == Satisfaction::kRoot && brought >= kNearlyWhole && brought < 1;
   }
 
   void look(std::size_t k, double brought, double cost) {
@@ -58,11 +72,13 @@ class GroupSearch {
     if (worth > best_) {
       best_ = worth;
       best_members_ = members_;
+    } else if (is_nearly_whole(brought)) {
+      cut_off_ = std::max(cut_off_, 1 - cost);  // in another order its sum may be whole
     }
     // Each pass leaves candidate k out; what is below takes it.
     for (; k < candidates_.size(); ++k) {
       const double bound = relaxed(k, brought, cost);
-      if (bound <= best_ + 1e-13) return;
+      if (bound <= best_ + kPruned) return;
       if (++nodes_ > kMaxNodes) {
         cut_off_ = std::max(cut_off_, bound);
         return;
@@ -84,6 +100,7 @@ class GroupSearch {
 struct Base {
   PricedGroup group;
   double brought = 0, cost = 0;
+  double size = 0;  // of all numbers that sums are made of, without signs
   std::vector<Candidate> candidates;  // the others
 };
 
@@ -94,15 +111,23 @@ Base base_of(const CoalitionTask& task, const std::vector<double>& price,
   for (std::uint32_t i = 0; i < price.size(); ++i) {
     if (membership[i] == Membership::kNever) continue;
     const double cost = task.cost[i] + price[i], brings = task.brings[i];
+    base.size += std::abs(task.cost[i]) + std::abs(price[i]);
     if (membership[i] == Membership::kMust || cost <= 0) {
       base.group.members.push_back(i);
       base.brought = best ? std::max(base.brought, brings) : base.brought + brings;
       base.cost += cost;
     } else if (brings > 0) {
-      base.candidates.push_back({brings, cost, i});
+      base.candidates.push_back({brings, cost, cost / brings, i});
     }
   }
   return base;
+}
+
+// What sums of numbers of such a size in all may be off by: each addition by half a unit
+// of its last place, and as much for each product.
+double rounding_of(double size, std::size_t numbers) {
+  constexpr double kUnit = std::numeric_limits<double>::epsilon();
+  return kUnit * static_cast<double>(numbers + 4) * std::abs(size);
 }
 
 void add_leader(const Base& base, PricedGroup& group) {
@@ -128,8 +153,7 @@ PricedGroup best_group(const CoalitionTask& task, const std::vector<double>& pri
   } else {
     std::sort(base.candidates.begin(), base.candidates.end(),
               [](const Candidate& a, const Candidate& b) {
-                const double left = a.cost * b.brings, right = b.cost * a.brings;
-                return left != right ? left < right : a.who < b.who;
+                return a.rate != b.rate ? a.rate < b.rate : a.who < b.who;
               });
     GroupSearch search(task.form, base.candidates);
     search.run(base.brought, base.cost, group.worth);
@@ -139,6 +163,7 @@ PricedGroup best_group(const CoalitionTask& task, const std::vector<double>& pri
                          search.members().end());
   }
   std::sort(group.members.begin(), group.members.end());
+  group.bound += rounding_of(base.size + std::abs(group.worth), price.size());
   return group;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "skein/base/math.h"
 #include "skein/layer/reasoning/team/allocation/coalition_annealing.h"
@@ -11,9 +12,9 @@
 namespace skein::allocation {
 namespace {
 
-constexpr double kPenalty = -1e3;  // for what is not allowed: no group is worth that
-constexpr double kSame = 1e-7;     // utilities that count as equal
-constexpr double kSmooth = 0.5;    // of the best prices that go into the next
+constexpr double kPenalty = -1e3;   // for what is not allowed: no group is worth that
+constexpr double kReduced = 1e-11;  // groups that are worth no more are not added
+constexpr double kSmooth = 0.5;     // of the best prices that go into the next
 constexpr std::int64_t kMaxSteps = 20'000;
 constexpr int kMaxRounds = 2'000;
 constexpr int kNodesWithoutProof = 30;
@@ -23,17 +24,23 @@ using Memberships = std::vector<std::vector<Membership>>;  // by task, by aircra
 // A part of all allocations.
 struct Node {
   Memberships membership;
-  double bound = 0;  // of its parent
+  double bound = 0;      // of its parent
+  std::size_t part = 0;  // of the proof
 };
 
 class GroupPricing {
  public:
   GroupPricing(const CoalitionProblem& problem, const Effort& effort,
-               CoalitionAnswer& answer)
+               CoalitionAnswer& answer, CoalitionProof* proof)
       : problem_(problem),
         effort_(effort),
         answer_(answer),
-        master_(problem.aircraft, problem.tasks.size()) {}
+        proof_(proof),
+        master_(problem.aircraft, problem.tasks.size()) {
+    for (const CoalitionTask& task : problem.tasks)
+      for (const double cost : task.cost) scale_ = std::max(scale_, std::abs(cost));
+    if (proof_) proof_->parts.assign(1, {});
+  }
 
   void run() {
     Node root;
@@ -41,31 +48,52 @@ class GroupPricing {
                            std::vector<Membership>(problem_.aircraft, Membership::kFree));
     root.bound = bound_under(std::vector<double>(problem_.aircraft, 0), root.membership);
     add_answer();
-    root.bound = std::min(root.bound, solve(root));
+    const double bound = solve(root);
+    if (root.bound <= bound) price_.assign(problem_.aircraft, 0);
+    root.bound = std::min(root.bound, bound);
+    note_prices(root);
     answer_.quality.bound = std::max(root.bound, answer_.quality.value);
     if (!is_closed(root.bound)) {
       strike_out(root);
       branch(root);
     }
     answer_.quality.proven = is_closed(answer_.quality.bound);
-    if (answer_.quality.proven) answer_.quality.bound = answer_.quality.value;
+    // What was left out on the way may be above the answer by the tolerance.
+    if (answer_.quality.proven)
+      answer_.quality.bound = answer_.quality.value + tolerance();
   }
 
  private:
-  bool is_closed(double bound) const { return bound <= answer_.quality.value + kSame; }
+  double tolerance() const {
+    return kProofTolerance * std::max(scale_, std::abs(answer_.quality.value));
+  }
+  bool is_closed(double bound) const {
+    return bound <= answer_.quality.value + tolerance();
+  }
 
-  // The bound that prices give; groups that better the master are added on request.
+  // What a task adds to the bound at the most: nothing, unless it must have members.
+  static double bound_of(const PricedGroup& group,
+                         const std::vector<Membership>& membership) {
+    return has_must(membership) ? group.bound : std::max(group.bound, 0.0);
+  }
+
+  // The bound that prices give, rounded upwards; groups that better the master are added
+  // on request.
   double bound_under(const std::vector<double>& price, const Memberships& membership,
                      bool adds = false) {
-    double bound = 0;
-    for (const double p : price) bound += p;
+    double bound = 0, size = 0;
+    const auto add = [&](double x) {
+      bound += x;
+      size += std::abs(x);
+    };
+    for (const double p : price) add(p);
     for (std::size_t k = 0; k < problem_.tasks.size(); ++k) {
       const PricedGroup group = best_group(problem_.tasks[k], price, membership[k]);
-      const bool must = has_must(membership[k]);
-      bound += must ? group.bound : std::max(group.bound, 0.0);
+      add(bound_of(group, membership[k]));
       if (adds && !group.members.empty()) add_if_better(k, group);
     }
-    return bound;
+    const auto numbers = static_cast<double>(price.size() + problem_.tasks.size() + 4);
+    return bound + numbers * std::numeric_limits<double>::epsilon() * size;
   }
 
   static bool has_must(const std::vector<Membership>& membership) {
@@ -78,7 +106,7 @@ class GroupPricing {
     GroupColumn column = column_of(k, group);
     double reduced = column.utility - master_.prices()[problem_.aircraft + k];
     for (const std::uint32_t i : column.members) reduced -= master_.prices()[i];
-    if (reduced <= 1e-8) return;
+    if (reduced <= kReduced) return;
     master_.add(std::move(column));
     added_ = true;
   }
@@ -124,7 +152,8 @@ class GroupPricing {
     }
     for (std::size_t j = master_.first_group(); j < master_.columns(); ++j) {
       const GroupColumn& column = master_.column(j);
-      master_.set_utility(j, is_allowed(column, membership) ? column.utility : kPenalty);
+      const bool allowed = is_allowed(column, membership);
+      master_.set_utility(j, allowed ? column.utility : kPenalty, allowed);
     }
   }
 
@@ -197,8 +226,9 @@ class GroupPricing {
     const double bound = bound_under(price_, node.membership);
     for (std::size_t k = 0; k < problem_.tasks.size(); ++k) {
       auto& membership = node.membership[k];
+      // As in `bound`, of which it is taken away.
       const double free =
-          std::max(best_group(problem_.tasks[k], price_, membership).bound, 0.0);
+          bound_of(best_group(problem_.tasks[k], price_, membership), membership);
       for (std::size_t i = 0; i < problem_.aircraft; ++i) {
         if (membership[i] != Membership::kFree) continue;
         membership[i] = Membership::kMust;
@@ -235,6 +265,21 @@ class GroupPricing {
     return split;
   }
 
+  void note_prices(const Node& node) {
+    if (proof_) proof_->parts[node.part].price = price_;
+  }
+  // New parts of the proof for the children of a node.
+  void note_split(Node& with, Node& without, const Split& split) {
+    if (!proof_) return;
+    const std::size_t next = proof_->parts.size();
+    CoalitionProof::Part& part = proof_->parts[with.part];
+    part.task = split.task;
+    part.aircraft = split.aircraft;
+    part.with = with.part = next;
+    part.without = without.part = next + 1;
+    proof_->parts.resize(next + 2);
+  }
+
   // Splits parts until none is left that may hold something better, the most promising
   // first.
   void branch(const Node& root) {
@@ -251,6 +296,7 @@ class GroupPricing {
       if (is_closed(node.bound) || effort_.ended()) return;
       if (!effort_.prove && nodes++ == kNodesWithoutProof) return;
       const double bound = std::min(node.bound, solve(node));
+      note_prices(node);
       if (is_closed(bound)) continue;
       if (effort_.ended()) return;
       const Split split = split_of();
@@ -265,6 +311,7 @@ class GroupPricing {
       for (std::size_t k = 0; k < problem_.tasks.size(); ++k)
         node.membership[k][split.aircraft] =
             k == split.task ? Membership::kMust : Membership::kNever;
+      note_split(node, without, split);
       for (Node* child : {&node, &without}) {
         open.push_back(std::move(*child));
         std::push_heap(open.begin(), open.end(), less);
@@ -276,6 +323,8 @@ class GroupPricing {
   const CoalitionProblem& problem_;
   const Effort& effort_;
   CoalitionAnswer& answer_;
+  CoalitionProof* proof_;
+  double scale_ = 1;  // of utilities and costs
   GroupMaster master_;
   std::vector<double> price_;  // of the last bound
   bool added_ = false;
@@ -284,13 +333,13 @@ class GroupPricing {
 }  // namespace
 
 void bound_coalitions(const CoalitionProblem& problem, const Effort& effort,
-                      CoalitionAnswer& answer) {
+                      CoalitionAnswer& answer, CoalitionProof* proof) {
   if (problem.tasks.empty() || problem.aircraft == 0) {
     answer.quality.bound = answer.quality.value;
     answer.quality.proven = true;
     return;
   }
-  GroupPricing(problem, effort, answer).run();
+  GroupPricing(problem, effort, answer, proof).run();
 }
 
 }  // namespace skein::allocation

@@ -8,7 +8,7 @@
 namespace skein::allocation {
 namespace {
 
-constexpr double kTiny = 1e-9;     // reduced values below are none
+constexpr double kTiny = 1e-11;    // reduced values below are none
 constexpr double kPivot = 1e-9;    // smaller elements are zero
 constexpr double kParting = 1e-8;  // of right-hand sides
 constexpr int kInvertEvery = 120;
@@ -22,10 +22,8 @@ GroupMaster::GroupMaster(std::size_t aircraft, std::size_t tasks)
   right_.resize(rows_);
   price_.assign(rows_, 0);
   for (std::size_t r = 0; r < rows_; ++r) {
-    Column slack;
-    slack.rows = {static_cast<std::uint32_t>(r)};
-    slack.basic = static_cast<std::uint32_t>(r);
-    columns_.push_back(slack);
+    members_.push_back(static_cast<std::uint32_t>(r));
+    append({}, 0, static_cast<std::uint32_t>(r));
     basis_[r] = r;
     inverse(r)[r] = 1;
     // Any spread does: multiples of the golden section never meet.
@@ -36,30 +34,36 @@ GroupMaster::GroupMaster(std::size_t aircraft, std::size_t tasks)
 }
 
 std::size_t GroupMaster::add(GroupColumn column) {
-  Column added;
-  added.utility = column.utility;
-  added.rows = column.members;
-  added.rows.push_back(static_cast<std::uint32_t>(aircraft_ + column.task));
-  added.group = std::move(column);
-  columns_.push_back(std::move(added));
-  return columns_.size() - 1;
+  const double utility = column.utility;
+  members_.insert(members_.end(), column.members.begin(), column.members.end());
+  members_.push_back(static_cast<std::uint32_t>(aircraft_ + column.task));
+  append(std::move(column), utility, kNotBasic);
+  return columns() - 1;
+}
+
+// The column whose rows are the last of `members_`.
+void GroupMaster::append(GroupColumn group, double utility, std::uint32_t basic) {
+  groups_.push_back(std::move(group));
+  utility_.push_back(utility);
+  basic_.push_back(basic);
+  allowed_.push_back(true);
+  first_.push_back(members_.size());
 }
 
 double GroupMaster::amount(std::size_t j) const {
-  return columns_[j].basic == kNotBasic ? 0 : amount_[columns_[j].basic];
+  return basic_[j] == kNotBasic ? 0 : amount_[basic_[j]];
 }
 
 double GroupMaster::value() const {
   double value = 0;
-  for (std::size_t r = 0; r < rows_; ++r)
-    value += columns_[basis_[r]].utility * amount_[r];
+  for (std::size_t r = 0; r < rows_; ++r) value += utility_[basis_[r]] * amount_[r];
   return value;
 }
 
 void GroupMaster::find_prices() {
   std::fill(price_.begin(), price_.end(), 0.0);
   for (std::size_t r = 0; r < rows_; ++r) {
-    const double utility = columns_[basis_[r]].utility;
+    const double utility = utility_[basis_[r]];
     if (utility == 0) continue;
     const double* row = inverse(r);
     for (std::size_t k = 0; k < rows_; ++k) price_[k] += utility * row[k];
@@ -68,12 +72,11 @@ void GroupMaster::find_prices() {
 
 std::size_t GroupMaster::entering() const {
   double most = kTiny;
-  std::size_t best = columns_.size();
-  for (std::size_t j = 0; j < columns_.size(); ++j) {
-    const Column& column = columns_[j];
-    if (column.basic != kNotBasic) continue;
-    double reduced = column.utility;
-    for (const std::uint32_t r : column.rows) reduced -= price_[r];
+  std::size_t best = columns();
+  for (const std::uint32_t j : may_enter_) {
+    if (basic_[j] != kNotBasic) continue;
+    double reduced = utility_[j];
+    for (const std::uint32_t r : rows_of(j)) reduced -= price_[r];
     if (reduced > most) {
       most = reduced;
       best = j;
@@ -86,7 +89,7 @@ bool GroupMaster::enter(std::size_t j) {
   std::vector<double> direction(rows_, 0.0);
   for (std::size_t r = 0; r < rows_; ++r) {
     const double* row = inverse(r);
-    for (const std::uint32_t k : columns_[j].rows) direction[r] += row[k];
+    for (const std::uint32_t k : rows_of(j)) direction[r] += row[k];
   }
   std::size_t leaves = rows_;
   double step = 0;
@@ -100,8 +103,8 @@ bool GroupMaster::enter(std::size_t j) {
     }
   }
   if (leaves == rows_) return false;
-  columns_[basis_[leaves]].basic = kNotBasic;
-  columns_[j].basic = static_cast<std::uint32_t>(leaves);
+  basic_[basis_[leaves]] = kNotBasic;
+  basic_[j] = static_cast<std::uint32_t>(leaves);
   basis_[leaves] = j;
   double* pivot_row = inverse(leaves);
   for (std::size_t k = 0; k < rows_; ++k) pivot_row[k] /= direction[leaves];
@@ -122,7 +125,7 @@ void GroupMaster::invert() {
   std::vector<double> matrix(rows_ * rows_, 0.0);
   std::vector<double> result(rows_ * rows_, 0.0);
   for (std::size_t r = 0; r < rows_; ++r) {
-    for (const std::uint32_t k : columns_[basis_[r]].rows) matrix[k * rows_ + r] = 1;
+    for (const std::uint32_t k : rows_of(basis_[r])) matrix[k * rows_ + r] = 1;
     result[r * rows_ + r] = 1;
   }
   for (std::size_t c = 0; c < rows_; ++c) {
@@ -158,10 +161,13 @@ void GroupMaster::invert() {
 }
 
 bool GroupMaster::solve(std::int64_t max_steps) {
+  may_enter_.clear();
+  for (std::uint32_t j = 0; j < columns(); ++j)
+    if (allowed_[j]) may_enter_.push_back(j);
   for (std::int64_t step = 0;; ++step) {
     find_prices();
     const std::size_t j = entering();
-    if (j == columns_.size()) return true;
+    if (j == columns()) return true;
     if (step >= max_steps || !enter(j)) return false;
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace skein::allocation {
@@ -27,17 +28,19 @@ class GroupMaster {
 
   /// What staying idle is worth, and an empty task: 0, or a penalty where it is not
   /// allowed.
-  void set_idle(std::size_t aircraft, double utility) {
-    columns_[aircraft].utility = utility;
-  }
+  void set_idle(std::size_t aircraft, double utility) { utility_[aircraft] = utility; }
   void set_empty(std::size_t task, double utility) {
-    columns_[aircraft_ + task].utility = utility;
+    utility_[aircraft_ + task] = utility;
   }
   /// The number of the new column.
   std::size_t add(GroupColumn column);
-  std::size_t columns() const { return columns_.size(); }
-  const GroupColumn& column(std::size_t j) const { return columns_[j].group; }
-  void set_utility(std::size_t j, double utility) { columns_[j].utility = utility; }
+  std::size_t columns() const { return utility_.size(); }
+  const GroupColumn& column(std::size_t j) const { return groups_[j]; }
+  /// What a group is worth; of one that is not allowed, a penalty: it does not enter.
+  void set_utility(std::size_t j, double utility, bool allowed) {
+    utility_[j] = utility;
+    allowed_[j] = allowed;
+  }
   std::size_t first_group() const { return aircraft_ + tasks_; }
 
   /// Solves it, from where it was. False when `max_steps` were not enough.
@@ -50,14 +53,12 @@ class GroupMaster {
   double value() const;
 
  private:
-  struct Column {
-    GroupColumn group;
-    double utility = 0;
-    std::vector<std::uint32_t> rows;
-    std::uint32_t basic = kNotBasic;  // its row of the basis
-  };
   static constexpr std::uint32_t kNotBasic = 0xffffffff;
 
+  void append(GroupColumn group, double utility, std::uint32_t basic);
+  std::span<const std::uint32_t> rows_of(std::size_t j) const {
+    return {members_.data() + first_[j], first_[j + 1] - first_[j]};
+  }
   void find_prices();
   std::size_t entering() const;
   bool enter(std::size_t j);
@@ -65,7 +66,15 @@ class GroupMaster {
   double* inverse(std::size_t row) { return inverse_.data() + row * rows_; }
 
   std::size_t aircraft_, tasks_, rows_;
-  std::vector<Column> columns_;
+  // By column. The rows that a column has are beside each other in `members_`, since the
+  // search for the one that enters passes over all of them each time.
+  std::vector<GroupColumn> groups_;
+  std::vector<double> utility_;
+  std::vector<std::uint32_t> basic_;  // its row of the basis
+  std::vector<bool> allowed_;
+  std::vector<std::uint32_t> may_enter_;  // the columns that are allowed
+  std::vector<std::size_t> first_ = {0};
+  std::vector<std::uint32_t> members_;
   std::vector<std::size_t> basis_;  // column of each row
   std::vector<double> inverse_, right_, amount_, price_;
   int since_inverted_ = 0;

@@ -48,6 +48,15 @@ bool pass_on(const SequenceTable& table, const SequenceSchedule& schedule,
   return later;
 }
 
+// Tasks that begin together are done by different aircraft, also where both take no time.
+bool has_one_for_two(const SequenceTable& table, const SequenceRoutes& routes) {
+  for (const auto& route : routes)
+    for (std::size_t k = 1; k < route.size(); ++k)
+      for (std::size_t j = 0; j < k; ++j)
+        if (table.together[route[j]] == table.together[route[k]]) return true;
+  return false;
+}
+
 }  // namespace
 
 SequenceSchedule schedule_of(const SequenceTable& table, const SequenceRoutes& routes) {
@@ -56,6 +65,10 @@ SequenceSchedule schedule_of(const SequenceTable& table, const SequenceRoutes& r
   schedule.end.assign(table.aircraft, 0);
   std::vector<double> earliest(table.tasks, 0);
   const bool coupled = table.is_coupled();
+  if (coupled && has_one_for_two(table, routes)) {
+    schedule.late = math::kInfinity;
+    return schedule;
+  }
   // Each pass settles at least one more task, unless they wait for each other.
   for (std::size_t pass = 0;; ++pass) {
     pass_over(table, routes, earliest, schedule);

@@ -1,6 +1,7 @@
 #include "skein/layer/reasoning/team/allocation/tour_bound.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -62,6 +63,11 @@ OneTree min_one_tree(const TourCosts& costs, const std::vector<double>& price) {
   return tree;
 }
 
+// What rounding may have added to a sum of so many numbers of such a size.
+double rounding_of(double size, std::size_t numbers) {
+  return std::numeric_limits<double>::epsilon() * static_cast<double>(numbers) * size;
+}
+
 double one_tour_bound(const TourCosts& costs) {
   const std::uint32_t n = costs.places();
   if (n < 3) return 0;
@@ -70,9 +76,12 @@ double one_tour_bound(const TourCosts& costs) {
   double bound = 0, step = 0;
   for (int k = 0; k < kAscents; ++k) {
     const OneTree tree = min_one_tree(costs, price);
-    double cost = tree.cost;
-    for (const double p : price) cost -= 2 * p;
-    bound = std::max(bound, cost);
+    double cost = tree.cost, prices = 0;
+    for (std::uint32_t a = 0; a < n; ++a) {
+      cost -= 2 * price[a];
+      prices += (tree.degree[a] + 2) * std::abs(price[a]);
+    }
+    bound = std::max(bound, cost - rounding_of(std::abs(cost) + 2 * prices, 4 * n));
     if (k == 0) step = cost / (2.0 * n);
     bool is_tour = true;
     for (std::uint32_t a = 0; a < n; ++a) {
@@ -87,14 +96,39 @@ double one_tour_bound(const TourCosts& costs) {
   return bound;
 }
 
+// The least cost from place 0 to every place, or from every place to it, over any others.
+std::vector<double> least_costs(const TourCosts& costs, bool to_depot) {
+  const std::uint32_t n = costs.places();
+  std::vector<double> least(n, std::numeric_limits<double>::infinity());
+  std::vector<bool> settled(n, false);
+  least[0] = 0;
+  for (std::uint32_t round = 0; round < n; ++round) {
+    std::uint32_t nearest = n;
+    for (std::uint32_t a = 0; a < n; ++a)
+      if (!settled[a] && (nearest == n || least[a] < least[nearest])) nearest = a;
+    settled[nearest] = true;
+    for (std::uint32_t b = 0; b < n; ++b) {
+      if (settled[b]) continue;
+      const double leg = to_depot ? costs(b, nearest) : costs(nearest, b);
+      least[b] = std::min(least[b], least[nearest] + leg);
+    }
+  }
+  return least;
+}
+
 }  // namespace
 
 double tour_bound(const TourCosts& costs, std::size_t tours) {
   double bound = 0;
+  // Over other places it may be nearer than straight.
+  const std::vector<double> there = least_costs(costs, false);
+  const std::vector<double> back = least_costs(costs, true);
   for (std::uint32_t a = 1; a < costs.places(); ++a)
-    bound = std::max(bound, costs(0, a) + costs(a, 0));
+    bound = std::max(bound, there[a] + back[a]);
+  bound -= rounding_of(bound, costs.places());
   if (costs.is_symmetric() && costs.is_metric())
-    bound = std::max(bound, one_tour_bound(costs) / static_cast<double>(tours));
+    bound = std::max(bound, one_tour_bound(costs) / static_cast<double>(tours) *
+                                (1 - TourCosts::kMetricTolerance));
   return bound;
 }
 

@@ -41,7 +41,8 @@ bool TourCosts::is_metric() const {
   for (std::uint32_t a = 0; a < places_; ++a)
     for (std::uint32_t b = 0; b < places_; ++b)
       for (std::uint32_t c = 0; c < places_; ++c)
-        if ((*this)(a, c) > ((*this)(a, b) + (*this)(b, c)) * (1 + 1e-12)) return false;
+        if ((*this)(a, c) > ((*this)(a, b) + (*this)(b, c)) * (1 + kMetricTolerance))
+          return false;
   return true;
 }
 

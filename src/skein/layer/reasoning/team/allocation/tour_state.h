@@ -22,6 +22,8 @@ class TourCosts {
     return near_[place];
   }
   bool is_symmetric() const;
+  /// What is_metric() passes over, of a detour: the rounding of costs.
+  static constexpr double kMetricTolerance = 1e-12;
   /// Whether no detour over a third place is shorter than the straight way.
   bool is_metric() const;
 

@@ -25,6 +25,7 @@ constexpr double kCold = 0.00005;
 constexpr double kTotalWeight = 0.02;           // of the mean length beside the longest
 constexpr std::int64_t kAnnealing = 2'500'000;  // iterations from hot to cold
 constexpr int kClockEvery = 256;
+constexpr double kProven = 1e-10;  // a tour that is above its bound by less is the best
 
 // x to the power of 2^squarings.
 double raised(double x, int squarings) {
@@ -56,7 +57,7 @@ class TourSearch {
     return made;
   }
 
-  bool is_optimal() const { return best_.longest() <= bound_ * (1 + 1e-12); }
+  bool is_optimal() const { return best_.longest() <= bound_ * (1 + kProven); }
   const TourState& best() const { return best_; }
 
  private:
