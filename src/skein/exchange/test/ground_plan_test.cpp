@@ -104,9 +104,11 @@ TEST(GroundPlan, RefusesWhatIsNone) {
   EXPECT_NE(read_plan_of(R"({"items":[{"coordinate":[1,2,3]}],"MAV_AUTOPILOT":3})")
                 .error.find(".mission"),
             std::string::npos);
-  EXPECT_NE(read_plan_of(plan({item(16, 8.5, 47.4)}).dump()).error.find("km from"),
-            std::string::npos);
-  EXPECT_NE(read_plan_of(plan({item(16, 147.4, 8.5)}).dump()).error.find("no latitude"),
+  EXPECT_NE(
+      read_plan_of(plan(Json::array({item(16, 8.5, 47.4)})).dump()).error.find("km from"),
+      std::string::npos);
+  EXPECT_NE(read_plan_of(plan(Json::array({item(16, 147.4, 8.5)})).dump())
+                .error.find("no latitude"),
             std::string::npos);
   for (const char* text : {"", "[]", "no", "{", R"({"fileType":7})",
                            R"({"fileType":"Plan","geoFence":{"circles":[7]}})"})

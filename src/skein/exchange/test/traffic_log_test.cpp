@@ -128,7 +128,8 @@ TEST(TrafficLog, SaysWhatIsWrongAndWhere) {
   expect(head + "1,2,3,4,5\n", "log.csv:2", "5 cells");
   expect(head + "1,2,3,4\nx,2,3,4\n", "log.csv:3 time_s", "no number");
   expect(head + ",2,3,4\n", "log.csv:2", "no time");
-  expect(head + "1,nan,3,4\n", "log.csv:2 north_m", "no number");
+  expect(head + "1,inf,3,4\n", "log.csv:2 north_m", "no number");
+  expect(head + "1,nan,3,4\n", "log.csv", "none of its 1 rows");
   expect(head + "1,1e300,3,4\n", "log.csv:2 north_m", "must be from");
   expect(head + "1,2,3,1e6\n", "log.csv:2 altitude_msl_m", "must be from");
   expect(head + "2,2,3,4\n1,2,3,4\n", "log.csv:3", "does not grow");

@@ -229,14 +229,17 @@ Result<std::vector<double>> band_times(const GriddedWindOptions& options,
   return times;
 }
 
-// Whether pixels of two rasters lie at the same places in an area.
-Result<void> check_same_place(const Quantity& second, const PixelMap& a,
-                              const PixelMap& b) {
+// Whether pixels of two rasters lie at the same places in an area about the origin.
+Result<void> check_same_place(const Quantity& first, const Quantity& second,
+                              const geo::LocalFrame& frame, double area) {
   constexpr double kSamePixel = 1e-3;
-  const GridShape& shape = a.shape();
-  for (const int r : {0, shape.rows - 1})
-    for (const int c : {0, shape.columns - 1})
-      if ((a.pixel(r, c) - b.pixel(r, c)).norm() > kSamePixel)
+  const GridShape shape{-area * Vec2(1, 1), 2 * area, 2, 2};
+  const auto a = first.file.map(frame, shape), b = second.file.map(frame, shape);
+  if (!a) return a.error();
+  if (!b) return b.error();
+  for (const int r : {0, 1})
+    for (const int c : {0, 1})
+      if ((a.value().pixel(r, c) - b.value().pixel(r, c)).norm() > kSamePixel)
         return Error{ErrorCode::kBadInput, second.file.path(),
                      "the two quantities of the wind differ in place", ""};
   return {};
@@ -313,6 +316,10 @@ Result<std::unique_ptr<WindField>> make_gridded_wind(const GriddedWindOptions& o
   if (!second) return second.error();
   if (const auto alike = check_alike(first.value(), second.value()); !alike)
     return alike.error();
+  if (const auto same =
+          check_same_place(first.value(), second.value(), frame, options.area);
+      !same)
+    return same.error();
   const auto north = north_of(options, first.value(), second.value());
   if (!north) return north.error();
   const auto times = band_times(options, first.value());
@@ -338,11 +345,6 @@ Result<std::unique_ptr<WindField>> make_gridded_wind(const GriddedWindOptions& o
   const auto map =
       first.value().file.map(frame, GridShape{-corner, spacing, shape_rows, shape_rows});
   if (!map) return map.error();
-  const auto other = second.value().file.map(frame, map.value().shape());
-  if (!other) return other.error();
-  if (const auto same = check_same_place(second.value(), map.value(), other.value());
-      !same)
-    return same.error();
   note_times(options, times.value(), warnings);
 
   std::vector<double> levels = sorted_unique(heights);
