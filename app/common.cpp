@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include "app/commands.h"
 #include "app/output.h"
@@ -129,9 +129,14 @@ int say_error(const Error& error) {
 }
 
 Result<void> read_text(const std::filesystem::path& file, std::string& text) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
+    return Error{ErrorCode::kBadInput, file.string(), "is a folder, not a file.", ""};
   std::ifstream in(file, std::ios::binary);
   if (!in) return Error{ErrorCode::kNotFound, file.string(), "cannot be read.", ""};
-  text.assign(std::istreambuf_iterator<char>(in), {});
+  std::ostringstream all;
+  all << in.rdbuf();  // throws nothing, whatever the file is
+  text = std::move(all).str();
   return {};
 }
 

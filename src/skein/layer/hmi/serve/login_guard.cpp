@@ -1,6 +1,7 @@
 #include "skein/layer/hmi/serve/login_guard.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace skein::hmi {
 
@@ -26,14 +27,17 @@ LoginGuard::Duration LoginGuard::wrong(const std::string& group, Moment now) {
   return std::min(kFirstWait * (1 << doublings), kMaxWait);
 }
 
-// Those that are forgotten go; if there are none, the one that was heard of first.
+// Those that are forgotten go; if there are none, the older half, so that this is rare.
 void LoginGuard::make_room(Moment now) {
   std::erase_if(tries_,
                 [now](const auto& each) { return left_of(each.second, now) == 0; });
   if (tries_.size() < kMaxAddresses) return;
-  tries_.erase(std::min_element(
-      tries_.begin(), tries_.end(),
-      [](const auto& a, const auto& b) { return a.second.last < b.second.last; }));
+  std::vector<Moment> moments;
+  for (const auto& [group, tries] : tries_) moments.push_back(tries.last);
+  const auto middle = moments.begin() + static_cast<std::ptrdiff_t>(moments.size() / 2);
+  std::nth_element(moments.begin(), middle, moments.end());
+  std::erase_if(tries_,
+                [at = *middle](const auto& each) { return each.second.last <= at; });
 }
 
 }  // namespace skein::hmi

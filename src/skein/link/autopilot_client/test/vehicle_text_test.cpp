@@ -17,7 +17,15 @@ namespace {
 // A vehicle that only talks, and what is reported of it.
 class Talker {
  public:
-  Talker() { client_.open(1); }
+  Talker() {
+    client_.open(1);
+    mavlink::Heartbeat quad;
+    quad.type = 2;
+    quad.autopilot = 3;
+    quad.base_mode = 81;
+    quad.system_status = 3;
+    vehicle_.send(1, quad);
+  }
 
   void say(const std::string& bytes, std::uint16_t id = 0, std::uint8_t part = 0) {
     mavlink::Statustext message;
