@@ -100,7 +100,7 @@ TEST_F(Program, TwoRunsInOneFolderAreImpossible) {
 TEST_F(Program, TwoCampaignsInOneFolderAreImpossible) {
   write("s.yaml", "duration_s: 20000\naircraft: [{count: 6}]\n");
   write("c.yaml",
-        "name: c\nscenario: s.yaml\nseeds: 50\nfigures: [{figure: accidents}]\n");
+        "name: c\nscenario: s.yaml\nseeds: 4\nfigures: [{figure: accidents}]\n");
   prefix_ = "first-";
   const pid_t first = start({"campaign", "c.yaml", "--out", "f"});
   ASSERT_TRUE(appears(folder_ / "f/runs.jsonl")) << read_file(folder_ / "first-err.txt");

@@ -275,6 +275,7 @@ TEST(Report, LeavesOutWhatAFlightWithoutFireHasNot) {
     estimate.p_N = state.p_N + Vec3(0.1 * k, 0, 0);
     recorder->record(TruthRecord{estimate.time, id, state});
     recorder->record(EstimateRecord{id, estimate, {}});
+    ASSERT_TRUE(recorder->step_done(estimate.time));
   }
   ASSERT_TRUE(recorder->close());
   const fs::path page = folder.path() / "report.html";

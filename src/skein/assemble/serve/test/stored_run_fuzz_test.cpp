@@ -22,7 +22,7 @@
 #include "skein/assemble/serve/pack_run.h"
 #include "skein/base/random.h"
 #include "skein/exchange/boundary_features.h"
-#include "skein/layer/hmi/serve/live_feed.h"
+#include "skein/layer/hmi/serve/live_state.h"
 #include "skein/link/vehicle_links/vehicle_feed.h"
 #include "skein/record/fan_out.h"
 #include "skein/record/message_load.h"
@@ -87,19 +87,16 @@ void show_again(const fs::path& folder) {
   auto stream = record::RecordStream::open(folder);
   take_answer("replay", stream);
   if (!stream) return;
-  hmi::LiveHub hub([](const hmi::HttpRequest&) { return hmi::HttpAnswer(); }, {});
-  hmi::LiveFeed feed(hub, stream.value().end(), 1, true);
+  hmi::LiveState state;  // of whoever watches
   const record::RecordStream::Listener listener{
-      [&feed](Time, const Record& record) { feed.record(record); },
-      [&feed](Time, const MetricSample& sample) { feed.show(sample); }};
+      [&state](Time, const Record& record) { state.take(record); },
+      [](Time, const MetricSample&) {}};
   for (const double share : {0.0, 0.5, 1.0, 0.2}) {
     const Time time = Time::from_seconds(share * stream.value().end().seconds());
-    feed.restart(time);
     auto done = stream.value().seek(time);
     if (done) done = stream.value().advance(time, listener);
     take_answer("replay", done);
     if (!done) return;
-    take_answer("feed", feed.step_done(time));
   }
 }
 
