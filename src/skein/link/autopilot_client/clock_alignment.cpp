@@ -31,18 +31,24 @@ Time ClockAlignment::hear(Time boot, Time now) {
     window_end_ = now + kMemory;
   }
   current_ = current_ ? std::min(*current_, offset) : offset;
+  newest_ = offset;
   return ahead;
 }
 
 ClockAlignment::Answer ClockAlignment::round_trip(Time sent, Time boot, Time now) {
   if (sent > now || sent < now - kMaxRoundTrip) return Answer::kImpossible;
   if (boot > kMaxClock || kMaxClock + boot < Time()) return Answer::kImpossible;
-  const auto known = fastest();
-  if (!known) return Answer::kTooEarly;
+  if (!newest_) return Answer::kTooEarly;
   const Time took = now - sent, half = Time::from_ns(took.ns() / 2);
   const Time centred = now - half - boot;
-  if (centred > *known + half + kClockMargin || centred < *known - took - kClockMargin)
+  if (centred > *newest_ + half + kClockMargin ||
+      centred < *newest_ - took - kClockMargin)
     return Answer::kOtherClock;
+  if (const auto known = fastest(); known && centred > *known + half + kClockMargin) {
+    const Time newest = *newest_;
+    forget();
+    hear(now - newest, now);
+  }
   if (shortest_ && took > *shortest_ && now - shortest_at_ < kMemory)
     return Answer::kTaken;
   shortest_ = took;

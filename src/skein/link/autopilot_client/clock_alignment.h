@@ -16,12 +16,14 @@ namespace skein::autopilot_client {
 ///
 ///   offset = (sent + received) / 2 - there,   off by at most half the round trip
 ///
-/// An answer counts only beside what the messages say: with the offset O of the fastest
+/// An answer counts only beside what the messages say: with the offset O of the newest
 /// one, which took no longer than about a round trip T,
 ///
 ///   O - T - 1 s <= offset <= O + T / 2 + 1 s
 ///
 /// What is outside is another clock than that of the telemetry, such as the time of day.
+/// One that is beyond the fastest message in the same way shows that the clock has lost
+/// time, as that of a simulator does which is too slow: it is aligned again at once.
 class ClockAlignment {
  public:
   /// What became of the answer to a question for the time.
@@ -53,6 +55,7 @@ class ClockAlignment {
 
   std::optional<Time> current_, previous_;  // offsets by the fastest message of a window
   Time window_end_;
+  std::optional<Time> newest_;   // the offset by the newest message
   std::optional<Time> centred_;  // by the shortest round trip
   std::optional<Time> shortest_;
   Time shortest_at_;

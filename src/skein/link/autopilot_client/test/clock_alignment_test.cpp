@@ -109,6 +109,18 @@ TEST(ClockAlignment, TakesAnswersOfSlowRadios) {
   EXPECT_NEAR(clock.to_here(s(61), s(62.5)).seconds(), 61, 0.01);
 }
 
+// A simulator that gets too little of its processor.
+TEST(ClockAlignment, FollowsAClockThatLosesTime) {
+  ClockAlignment clock;
+  for (double t = 10; t < 200; t += 0.1) {
+    const double there = 0.7 * t;
+    EXPECT_EQ(clock.hear(s(there), s(t)), Time());
+    EXPECT_EQ(clock.round_trip(s(t - 0.02), s(there - 0.007), s(t)),
+              ClockAlignment::Answer::kTaken);
+    EXPECT_GT(clock.to_here(s(there), s(t)).seconds(), t - 1.2);
+  }
+}
+
 TEST(ClockAlignment, FollowsAClockThatIsSet) {
   ClockAlignment clock;
   for (double t = 10; t < 40; t += 0.1) {

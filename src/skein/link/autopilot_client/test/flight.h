@@ -70,16 +70,18 @@ class Flight {
     return until();
   }
 
-  /// As a director does: asks again while there is no answer.
+  /// As a director does: asks again while there is no answer, or it is denied.
   Outcome request(const VehicleRequest& what) {
-    for (int tries = 0; tries < 4; ++tries) {
+    Outcome outcome = Outcome::kNoAnswer;
+    for (int tries = 0; tries < 6 && outcome != Outcome::kAccepted; ++tries) {
+      if (tries > 0) wait(3, [] { return false; });
       const std::uint32_t number = ++asked_;
       answer_.reset();
       client_.request(number, what, line.now, line.station);
       wait(60, [&] { return answer_ && answer_->number == number; });
-      if (answer_ && answer_->outcome != Outcome::kNoAnswer) return answer_->outcome;
+      if (answer_) outcome = answer_->outcome;
     }
-    return Outcome::kNoAnswer;
+    return outcome;
   }
 
   /// As a director does: setpoints, and the mode until it is told.
