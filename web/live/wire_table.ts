@@ -1278,6 +1278,21 @@ export const kTable: Table = {
       ["entity_id", "uint"],
       ["", "@TeamTaskReport"],
     ],
+    SeparationLoss: [
+      ["time", "time"],
+      ["entity_id", "uint"],
+      ["other_id", "uint"],
+      ["phase", "#Enum33"],
+      ["begun", "time"],
+      ["closest", "time"],
+      ["ratio", "f64"],
+      ["horizontal", "f64", "_m"],
+      ["vertical", "f64", "_m"],
+      ["distance", "f64", "_m"],
+      ["required_horizontal", "f64", "_m"],
+      ["required_vertical", "f64", "_m"],
+      ["over", "flag"],
+    ],
     LiveRecord: [
       ["record", "|Choice"],
     ],
@@ -1325,6 +1340,7 @@ export const kTable: Table = {
     Enum30: ["remembered", "late", "refused", "expired", "not-found"],
     Enum31: ["absent", "flies", "gap", "jumped"],
     Enum32: ["waits", "open", "flown", "done", "withdrawn"],
+    Enum33: ["air", "formation", "ground"],
   },
   choices: {
     Choice3: [
@@ -1512,6 +1528,7 @@ export const kTable: Table = {
       ["flight_path", "@FlightPath"],
       ["task_reason", "@TaskReason"],
       ["team_task_change", "@TeamTaskChange"],
+      ["separation_loss", "@SeparationLoss"],
     ],
     LiveItem: [
       ["run_clock", "@RunClock"],

@@ -1576,6 +1576,23 @@ export interface TeamTaskChange {
   executor_id: number | null; // who flies it; null: nobody
 }
 
+/** Two aircraft that came nearer to each other than they have to keep, by the truth. */
+export interface SeparationLoss {
+  time_s: number; // when they were well apart again, or the run ended
+  entity_id: number; // one of both, of the lower number
+  other_id: number; // the other
+  phase: "air" | "formation" | "ground"; // what both did when they were closest
+  begun_s: number; // when separation was lost
+  closest_s: number; // when the ratio was least
+  ratio: number | null; // least distance over what is required: the larger of the horizontal and the vertical one
+  horizontal_m: number | null; // distance when closest
+  vertical_m: number | null; // distance when closest
+  distance_m: number | null; // least, straight
+  required_horizontal_m: number | null; // of the pair, unless the vertical one is kept
+  required_vertical_m: number | null; // of the pair, unless the horizontal one is kept
+  over: boolean; // they were well apart again; else one has left, or the run has ended
+}
+
 /** How far a run is, and how its clock goes. */
 export interface RunClock {
   time_s: number; // simulated

@@ -152,7 +152,9 @@ class Notes : public Recorder {
   }
   void note(const Event& e) {
     text += fmt::format("E{} {} {} {};", e.time.ns(), e.entity.value, e.kind, e.text);
-    if (e.kind != "heard") kinds += e.kind + " ";
+    // These gliders fly through each other.
+    const bool counts = e.kind != "heard" && !e.kind.starts_with("separation-");
+    if (counts) kinds += e.kind + " ";
   }
   void note(const Crossing& c) {
     text += fmt::format("C{} {};", c.time.ns(), c.aircraft.value);

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "skein/base/random.h"
 #include "skein/layer/reasoning/avoidance/flights/held_circle.h"
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
+#include "skein/model/connection/point_connection.h"
 #include "skein/model/path/flight_code.h"
 #include "skein/model/path/flight_plan.h"
 
@@ -441,6 +443,8 @@ TEST(SeparationPlanner, TasksThatEndBesideEachOtherKeepApartInAnyGeometry) {
     Visitor a(kOther, end + (1000 + 500 * random.uniform()) * geo::unit(from), end);
     Visitor b(kOwn, other_end + (1000 + 500 * random.uniform()) * geo::unit(other_from),
               other_end);
+    // Too near for anybody from the start.
+    if ((a.nav.p_N - b.nav.p_N).norm() < 150) continue;
     std::vector<Message> from_a, from_b;
     double least = 1e9;
     for (int t = 0; t < 300; ++t) {
@@ -454,6 +458,66 @@ TEST(SeparationPlanner, TasksThatEndBesideEachOtherKeepApartInAnyGeometry) {
     }
     EXPECT_GT(least, 1) << "case " << k;
     EXPECT_TRUE(a.arrived && b.arrived) << "case " << k;
+  }
+}
+
+// A neighbour of others that circles until it is ordered to a point, and plans anew from
+// where it is whenever it is interrupted.
+struct Scout : Visitor {
+  Scout(EntityId id, const Vec2& place) : Visitor(id, place, place + Vec2(1, 0)) {
+    given = {0, Circling{place, {}}};
+  }
+
+  void order(const Vec2& point) {
+    const model::AirMotion air{15, 66, Vec2::Zero()};
+    const model::Pose from{geo::horizontal(nav.p_N), nav.heading};
+    const model::PointConnection path = model::connect_to_point(from, point, air);
+    Itinerary itinerary;
+    itinerary.plan = model::to_flight_plan(path, from, air, now.seconds(), nav.p_N.z());
+    itinerary.stays = true;
+    given = {++number, itinerary};
+    ordered = point;
+  }
+
+  std::vector<Message> second(const std::vector<Message>& inbox) {
+    auto said = fly(inbox);
+    if (ordered && planner->interrupts()) order(*ordered);
+    return said;
+  }
+
+  std::uint32_t number = 100;
+  std::optional<Vec2> ordered;
+};
+
+// The first orders of a team, to all in one moment and across each other's way.
+TEST(SeparationPlanner, FirstOrdersLeadNobodyIntoANeighbour) {
+  RandomStream random(9, 0, Purpose::kTest);
+  for (int k = 0; k < 8; ++k) {
+    std::vector<std::unique_ptr<Scout>> team;
+    for (std::uint32_t i = 0; i < 6; ++i)
+      team.push_back(std::make_unique<Scout>(EntityId{i + 1}, Vec2(0, 120.0 * i)));
+    std::vector<Message> said;
+    double least = 1e9;
+    std::size_t gone = 0;
+    for (int t = 0; t < 180; ++t) {
+      if (t == 6)
+        for (auto& each : team)
+          each->order(2000 * geo::unit(2 * geo::kPi * random.uniform()));
+      std::vector<Message> next;
+      for (auto& each : team)
+        for (Message& message : each->second(said)) next.push_back(std::move(message));
+      said = std::move(next);
+      for (std::size_t i = 0; i < team.size() && t > 3; ++i)
+        for (std::size_t j = i + 1; j < team.size(); ++j) {
+          const Vec3 apart = team[i]->nav.p_N - team[j]->nav.p_N;
+          least = std::min(
+              least, Separation{}.ratio(apart.head<2>().norm(), std::abs(apart.z())));
+        }
+    }
+    for (std::size_t i = 0; i < team.size(); ++i)
+      gone += (geo::horizontal(team[i]->nav.p_N) - Vec2(0, 120.0 * i)).norm() > 500;
+    EXPECT_GT(least, 1) << "case " << k;
+    EXPECT_EQ(gone, team.size()) << "case " << k << ": nobody waits for ever";
   }
 }
 
