@@ -515,7 +515,8 @@ TEST(SeparationPlanner, FirstOrdersLeadNobodyIntoANeighbour) {
         }
     }
     for (std::size_t i = 0; i < team.size(); ++i)
-      gone += (geo::horizontal(team[i]->nav.p_N) - Vec2(0, 120.0 * i)).norm() > 500;
+      gone += (geo::horizontal(team[i]->nav.p_N) - Vec2(0, 120 * static_cast<double>(i)))
+                  .norm() > 500;
     EXPECT_GT(least, 1) << "case " << k;
     EXPECT_EQ(gone, team.size()) << "case " << k << ": nobody waits for ever";
   }
