@@ -210,7 +210,7 @@ TEST(LinkSecurity, UnsignedFramesMayBeLimitedToTelemetry) {
   EXPECT_EQ(judge(SetAttitudeTarget()), Admission::kOrderRefused);
   EXPECT_EQ(judge(FileTransferProtocol()), Admission::kOrderRefused);
   EXPECT_EQ(judge(HilGps()), Admission::kOrderRefused);
-  EXPECT_EQ(open.refused(), 12U);
+  EXPECT_EQ(open.refused(), 13U);
   open.close(kLink);
   EXPECT_EQ(judge(arm), Admission::kTaken) << "the next link is as by default";
 }
