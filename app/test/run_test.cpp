@@ -19,7 +19,7 @@ TEST_F(Program, AFullDiskEndsTheRunAndKeepsWhatWasWritten) {
 
 // The fault: a byte that is no UTF-8 ended the run with an internal error.
 TEST_F(Program, BytesThatAreNoTextDoNotEndARun) {
-  write("s.yaml", "duration_s: 20\naircraft: [{name: scout}]\n");
+  write("s.yaml", "duration_s: 20\naircraft: [{name: scout}]\nmissions: []\n");
   std::string lines = "pause\n";
   lines +=
       std::string("zone on \xff\xfe circle 0,0 50\ntask \xb0 fly_to 5,5\nadd a\0b\n", 52);
