@@ -114,11 +114,11 @@ TEST(FenceUpload, CommandsDoNotWaitForIt) {
   std::vector<Zone> zones;
   for (int k = 0; k < 10; ++k) zones.push_back(hexagon({400, 200.0 * k}, 50));
   pair.request(1, zones);
-  pair.client.request(2, SpeedRequest{22}, pair.line.now, pair.line.station);
+  pair.client.request(2, ArmRequest{false, false}, pair.line.now, pair.line.station);
   pair.run(3);  // 60 corners take 36 s
   ASSERT_EQ(pair.answers.size(), 1u);
   EXPECT_EQ(pair.answers[0].number, 2u);
-  EXPECT_EQ(pair.answers[0].outcome, RequestAnswer::Outcome::kAccepted);
+  EXPECT_NE(pair.answers[0].outcome, RequestAnswer::Outcome::kNoAnswer);
   pair.run(60);
   EXPECT_EQ(pair.server.fence().exclusion.size(), 10u);
 }
