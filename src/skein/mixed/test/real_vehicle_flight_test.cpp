@@ -227,7 +227,7 @@ class Happenings {
       case 8:
         faults.position_jump_at = f.run.now.seconds();
         faults.position_jump.head<2>() = between(150, 5000) * geo::unit(between(0, 6.28));
-        f.go(between(1, 10));
+        f.go(between(0.5, 1.5));  // for longer it is brought back
         faults.position_jump.setZero();
         return {"its position jumps and back",
                 {"position-jumped", "position-back"},
