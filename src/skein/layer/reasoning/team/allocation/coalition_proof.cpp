@@ -50,8 +50,8 @@ class GroupPricing {
     add_answer();
     const double bound = solve(root);
     if (root.bound <= bound) price_.assign(problem_.aircraft, 0);
+    note_prices(root, -math::kInfinity);
     root.bound = std::min(root.bound, bound);
-    note_prices(root);
     answer_.quality.bound = std::max(root.bound, answer_.quality.value);
     if (!is_closed(root.bound)) {
       strike_out(root);
@@ -265,8 +265,11 @@ class GroupPricing {
     return split;
   }
 
-  void note_prices(const Node& node) {
-    if (proof_) proof_->parts[node.part].price = price_;
+  // The prices that bound a part best: those noted before where its bound was lower.
+  void note_prices(const Node& node, double bound) {
+    if (!proof_) return;
+    std::vector<double>& price = proof_->parts[node.part].price;
+    if (price.empty() || bound < node.bound) price = price_;
   }
   // New parts of the proof for the children of a node.
   void note_split(Node& with, Node& without, const Split& split) {
@@ -295,8 +298,9 @@ class GroupPricing {
       answer_.quality.bound = std::max({node.bound, left, answer_.quality.value});
       if (is_closed(node.bound) || effort_.ended()) return;
       if (!effort_.prove && nodes++ == kNodesWithoutProof) return;
-      const double bound = std::min(node.bound, solve(node));
-      note_prices(node);
+      const double found = solve(node);
+      note_prices(node, found);
+      const double bound = std::min(node.bound, found);
       if (is_closed(bound)) continue;
       if (effort_.ended()) return;
       const Split split = split_of();
