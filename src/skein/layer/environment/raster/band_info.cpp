@@ -91,6 +91,14 @@ std::optional<double> grib_height(const std::string& short_name) {
   return leading_number(short_name);
 }
 
+// The unit that the tables of the WMO give an element of wind, for files whose reader
+// does not say it. Reference: [WMO-306] code table 4.2-0-2.
+std::string wmo_unit(const std::string& element) {
+  for (const char* speed : {"UGRD", "VGRD", "WIND", "GUST"})
+    if (element == speed) return "m/s";
+  return element == "WDIR" ? "degree_true" : "";
+}
+
 }  // namespace
 
 BandInfo describe_band(void* dataset, int number) {
@@ -106,6 +114,8 @@ BandInfo describe_band(void* dataset, int number) {
   const std::string element = item("GRIB_ELEMENT");
   if (!element.empty()) {
     info.name = element;
+    if (info.unit.empty()) info.unit = item("GRIB_UNIT");
+    if (info.unit.empty()) info.unit = wmo_unit(element);
     info.utc_s = leading_number(item("GRIB_VALID_TIME"));
     info.height_m = grib_height(item("GRIB_SHORT_NAME"));
     return info;

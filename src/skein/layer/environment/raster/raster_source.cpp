@@ -54,15 +54,23 @@ std::uint64_t pixel_bytes(GDALDatasetH dataset) {
   return bytes;
 }
 
-// The system in words that the owner of this process reads; empty when it has none.
-std::string system_of(GDALDatasetH dataset) {
-  OGRSpatialReferenceH system = GDALGetSpatialRef(dataset);
+// A system in words that the owner of this process reads; empty for none.
+std::string words_of_system(OGRSpatialReferenceH system) {
   if (system == nullptr) return {};
   char* text = nullptr;
   const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
   OSRExportToWktEx(system, &text, options);
   std::string words = text == nullptr ? "" : text;
   CPLFree(text);
+  return words;
+}
+
+// Longitude and latitude on WGS 84.
+std::string words_of_degrees() {
+  OGRSpatialReferenceH system = OSRNewSpatialReference(nullptr);
+  OSRSetWellKnownGeogCS(system, "WGS84");
+  std::string words = words_of_system(system);
+  OSRDestroySpatialReference(system);
   return words;
 }
 
@@ -156,9 +164,9 @@ Result<void> RasterSource::look() {
       GDALInvGeoTransform(facts_.geo.data(), inverse.data()) == 0)
     return error("has no georeference: nothing says where its pixels lie",
                  "an affine transform (world file, GeoTIFF tags...) is needed");
-  facts_.system = system_of(dataset);
+  facts_.system = words_of_system(GDALGetSpatialRef(dataset));
   if (facts_.system.empty() && has_degrees_of_cf(dataset, facts_))
-    facts_.system = "EPSG:4326";
+    facts_.system = words_of_degrees();
   if (facts_.system.empty())
     return error("has no coordinate reference system",
                  "assign one, for example with gdal_translate -a_srs");
