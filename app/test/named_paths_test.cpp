@@ -83,8 +83,8 @@ TEST_F(NamedPaths, ChangesOfACampaignAreBesideIt) {
   const auto campaign = [&](const std::string& aircraft) {
     write("mine/campaign.yaml",
           "name: own\nscenario: ../elsewhere/s.yaml\nseeds: 1\n"
-          "set: [aircraft[0].plant.aircraft=" +
-              aircraft + "]\nfigures: [{figure: simulated_s}]\n");
+          "set: [\"aircraft[0].plant.aircraft=" +
+              aircraft + "\"]\nfigures: [{figure: simulated_s}]\n");
     return run({"campaign", "mine/campaign.yaml", "--out", "out"});
   };
   const Finished good = campaign("own.yaml");

@@ -67,7 +67,9 @@ std::vector<VehicleReportRecord> said(EntityId who) {
     const Time now = Time::from_seconds(t);
     VehicleMotion motion;
     motion.time = now;
-    motion.p_N = {t < 10 ? 1000.0 : 0.0, 0, -100};
+    const double speed = t > 9 && t < 14 ? 15 : 0;
+    motion.p_N = {230 - 15 * std::clamp(t - 9, 0.0, 5.0), 0, -100};
+    motion.v_N = {-speed, 0, 0};
     VehicleCondition condition;
     condition.on_ground = false;
     condition.position = true;
@@ -96,10 +98,10 @@ TEST(MixedFlight, AFireSensorWorksWhileTheLinkIsGoodAndIsSilentWhenThePositionIs
           return r.aircraft == far && t >= from && t < until && r.inside == inside;
         });
   };
-  EXPECT_GT(count(1, 10, false), 5);  // a kilometre from the fire
-  EXPECT_EQ(count(1, 10, true), 0);
-  EXPECT_GT(count(11, 20, true), 5);  // above it
-  EXPECT_EQ(count(11, 20, false), 0);
+  EXPECT_GT(count(1, 9, false), 5);  // beside the fire
+  EXPECT_EQ(count(1, 9, true), 0);
+  EXPECT_GT(count(11.5, 20, true), 5);  // above it
+  EXPECT_EQ(count(11.5, 20, false), 0);
   EXPECT_EQ(count(25.3, 30, true) + count(25.3, 30, false), 0);  // 5 s are allowed
   EXPECT_GT(count(30.2, 40, true), 5);
 }

@@ -52,7 +52,7 @@ TEST(Evidence, HoldsEachPlaceOnceInOrderHoweverManyThereAre) {
   Evidence evidence;
   std::set<std::pair<int, int>> places;
   for (int k = 0; k < 30'000; ++k) {
-    const int x = k * 7919 % 311, y = k * 104729 % 173;
+    const int x = k * 7919 % 311, y = k * 131 % 173;
     evidence.add(Vec2(20 * x + 3, 20 * y + 17), true);
     places.insert({x, y});
   }
