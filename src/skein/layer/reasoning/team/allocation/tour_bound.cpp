@@ -81,7 +81,8 @@ double one_tour_bound(const TourCosts& costs) {
       cost -= 2 * price[a];
       prices += (tree.degree[a] + 2) * std::abs(price[a]);
     }
-    bound = std::max(bound, cost - rounding_of(std::abs(cost) + 2 * prices, 4 * n));
+    bound = std::max(bound,
+                     cost - rounding_of(std::abs(cost) + 2 * prices, std::size_t{4} * n));
     if (k == 0) step = cost / (2.0 * n);
     bool is_tour = true;
     for (std::uint32_t a = 0; a < n; ++a) {
