@@ -79,8 +79,9 @@ TEST(HoldPlanner, CirclesOfTwoAreApartWhateverTheirGeometry) {
     ASSERT_TRUE(a && b) << k;
     EXPECT_TRUE(are_apart(*a, *b, Separation{})) << k;
     // Nearer than that both may head for each other, with no time left.
-    if (beside >= 200)
+    if (beside >= 200) {
       EXPECT_FALSE(first_meeting(held, flown, Separation{}, 0, 1e9)) << k;
+    }
     moved += (place.centre - own).norm() > 1 || place.altitude_msl ? 1 : 0;
   }
   EXPECT_GT(moved, 100) << "or nothing was tested";
