@@ -67,11 +67,10 @@ const FlightIntent* SeparationPlanner::held(const FlightIntent* asked,
   const auto* requested = std::get_if<Circling>(&asked->what);
   if (!requested) return asked;
   const double now = step.in.now.seconds();
-  if (!is_held(*requested))
-    place_hold(*requested, *step.in.nav, now, step);
-  else if (!is_same_place(*requested, hold_->requested))
+  const bool is_near = is_held(*requested);
+  if (is_near && !is_same_place(*requested, hold_->requested))
     hold_->requested = *requested;
-  else if (must_move_hold(step.in.now))
+  else if (!is_near || must_move_hold(step.in.now))
     place_hold(*requested, *step.in.nav, now, step);
   if (is_same_place(hold_->flown, *requested)) return asked;
   held_.number = asked->number;
