@@ -95,7 +95,7 @@ class FakeRun {
           return e.kind == kind && e.text.find(text) != std::string::npos;
         }));
   }
-  std::string told() const {
+  std::string log_text() const {
     std::string all;
     for (const Happened& e : events)
       all += std::to_string(e.time.seconds()) + " " + e.kind + ": " + e.text + "\n";

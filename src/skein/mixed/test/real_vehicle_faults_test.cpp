@@ -18,11 +18,11 @@ class RealVehicleFaults : public testing::TestWithParam<Make> {
   void expect_refused(const Faults& faults, const std::string& why) {
     FakeRun run(GetParam(), faults);
     run.run(70);
-    EXPECT_FALSE(run.fake.flew) << run.told();
+    EXPECT_FALSE(run.fake.flew) << run.log_text();
     EXPECT_FALSE(run.fake.armed);
-    EXPECT_EQ(run.count("take-off-denied", why), 1u) << run.told();
-    EXPECT_EQ(run.count("take-off-denied"), 1u) << run.told();
-    EXPECT_EQ(run.verdict(), "") << run.told();
+    EXPECT_EQ(run.count("take-off-denied", why), 1u) << run.log_text();
+    EXPECT_EQ(run.count("take-off-denied"), 1u) << run.log_text();
+    EXPECT_EQ(run.verdict(), "") << run.log_text();
   }
   // The same, and it is not even asked.
   void expect_not_asked(const Faults& faults, const std::string& why) {
@@ -35,15 +35,15 @@ class RealVehicleFaults : public testing::TestWithParam<Make> {
   void expect_flown(const Faults& faults) {
     FakeRun run(GetParam(), faults);
     run.run(90);
-    EXPECT_GT(run.fake.setpoints, 300) << run.told();
-    EXPECT_GT(run.fake.furthest, 50) << run.told();
-    EXPECT_NEAR(run.fake.height(), FakeRun::kAltitude, 2) << run.told();
+    EXPECT_GT(run.fake.setpoints, 300) << run.log_text();
+    EXPECT_GT(run.fake.furthest, 50) << run.log_text();
+    EXPECT_NEAR(run.fake.height(), FakeRun::kAltitude, 2) << run.log_text();
     EXPECT_EQ(run.fake.take_offs, 1);
-    EXPECT_EQ(run.verdict(), "") << run.told();
+    EXPECT_EQ(run.verdict(), "") << run.log_text();
     EXPECT_EQ(run.count("take-off-denied") + run.count("request-denied") +
                   run.count("not-commandable") + run.count("position-old"),
               0u)
-        << run.told();
+        << run.log_text();
   }
 };
 
@@ -61,7 +61,7 @@ TEST_P(RealVehicleFaults, WithTheTimeOfDayInItsAnswersIsFlown) {
   expect_flown({.time_of_day = true});
   FakeRun run(GetParam(), {.time_of_day = true});
   run.run(60);
-  EXPECT_EQ(run.count("other-clock"), 1u) << run.told();
+  EXPECT_EQ(run.count("other-clock"), 1u) << run.log_text();
 }
 
 TEST_P(RealVehicleFaults, WithoutAnswersAboutTimeIsFlown) {
@@ -73,10 +73,10 @@ TEST_P(RealVehicleFaults, WhoseClockIsSetIsFlownOn) {
     const Faults faults{.clock_jump_at = at, .clock_jump = 3600};
     FakeRun run(GetParam(), faults);
     run.run(100);
-    EXPECT_EQ(run.verdict(), "") << run.told();
-    EXPECT_EQ(run.count("clock-set"), 1u) << run.told();
-    EXPECT_EQ(run.count("position-old"), 0u) << run.told();
-    EXPECT_GT(run.fake.setpoints, 200) << run.told();
+    EXPECT_EQ(run.verdict(), "") << run.log_text();
+    EXPECT_EQ(run.count("clock-set"), 1u) << run.log_text();
+    EXPECT_EQ(run.count("position-old"), 0u) << run.log_text();
+    EXPECT_GT(run.fake.setpoints, 200) << run.log_text();
   }
 }
 
@@ -106,14 +106,14 @@ TEST_P(RealVehicleFaults, AnotherNumberIsReportedOnce) {
   FakeRun run(GetParam(), {.system = 9});
   run.run(60);
   EXPECT_EQ(run.count("wrong-vehicle", "system id 9 is heard, 1 is expected"), 1u)
-      << run.told();
+      << run.log_text();
   EXPECT_FALSE(run.fake.armed);
 }
 
 TEST_P(RealVehicleFaults, NobodyThereIsReportedOnce) {
   FakeRun run(GetParam(), {.silent_at = 0, .silent_for = 1000});
   run.run(60);
-  EXPECT_EQ(run.count("not-heard"), 1u) << run.told();
+  EXPECT_EQ(run.count("not-heard"), 1u) << run.log_text();
 }
 
 TEST_P(RealVehicleFaults, SomewhereElseIsNotTakenOff) {
@@ -135,9 +135,9 @@ TEST_P(RealVehicleFaults, SomewhereElseInTheAirIsNotCommanded) {
     run.fake.change_mode(VehicleMode::kHold);
     run.run(60);
     EXPECT_EQ(run.count("wrong-place", "it is 20.0 km from its start"), far ? 1u : 0u)
-        << run.told();
-    EXPECT_EQ(run.fake.commands[176] == 0, far) << run.told();
-    EXPECT_EQ(run.fake.setpoints == 0, far) << run.told();
+        << run.log_text();
+    EXPECT_EQ(run.fake.commands[176] == 0, far) << run.log_text();
+    EXPECT_EQ(run.fake.setpoints == 0, far) << run.log_text();
   }
 }
 
@@ -153,8 +153,8 @@ TEST_P(RealVehicleFaults, AnotherKindOfVehicleIsNotCommanded) {
   for (const std::uint8_t type : {std::uint8_t{1}, std::uint8_t{10}}) {
     FakeRun run(GetParam(), {.type = type});
     run.run(60);
-    EXPECT_EQ(run.count("wrong-vehicle"), 1u) << run.told();
-    EXPECT_EQ(run.count("take-off-denied"), 0u) << run.told();
+    EXPECT_EQ(run.count("wrong-vehicle"), 1u) << run.log_text();
+    EXPECT_EQ(run.count("take-off-denied"), 0u) << run.log_text();
     EXPECT_FALSE(run.fake.armed);
   }
 }
@@ -168,9 +168,9 @@ TEST_P(RealVehicleFaults, AModeThatIsAcceptedAndNotTakenIsReported) {
   EXPECT_EQ(
       run.count("request-denied", "mode OFFBOARD: accepted, but it stays in AUTO.LOITER"),
       1u)
-      << run.told();
-  EXPECT_EQ(run.count("not-commandable"), 1u) << run.told();
-  EXPECT_EQ(run.count("not-brought-back"), 1u) << run.told();
+      << run.log_text();
+  EXPECT_EQ(run.count("not-commandable"), 1u) << run.log_text();
+  EXPECT_EQ(run.count("not-brought-back"), 1u) << run.log_text();
 }
 
 TEST_P(RealVehicleFaults, WhatCannotBeCommandedInTheAirIsBroughtBack) {
@@ -181,23 +181,23 @@ TEST_P(RealVehicleFaults, WhatCannotBeCommandedInTheAirIsBroughtBack) {
   for (const Faults& faults : all) {
     FakeRun run(GetParam(), faults);
     run.run(150);
-    EXPECT_TRUE(run.fake.flew) << run.told();
-    EXPECT_TRUE(run.fake.on_ground()) << run.told();
-    EXPECT_FALSE(run.fake.armed) << run.told();
-    EXPECT_EQ(run.count("not-commandable"), 1u) << run.told();
-    EXPECT_EQ(run.count("not-brought-back"), 0u) << run.told();
-    EXPECT_EQ(run.verdict(), "") << run.told();
+    EXPECT_TRUE(run.fake.flew) << run.log_text();
+    EXPECT_TRUE(run.fake.on_ground()) << run.log_text();
+    EXPECT_FALSE(run.fake.armed) << run.log_text();
+    EXPECT_EQ(run.count("not-commandable"), 1u) << run.log_text();
+    EXPECT_EQ(run.count("not-brought-back"), 0u) << run.log_text();
+    EXPECT_EQ(run.verdict(), "") << run.log_text();
   }
 }
 
 TEST_P(RealVehicleFaults, OneThatIsDeafInTheAirIsAlarmedAbout) {
   FakeRun run(GetParam(), {.deaf_at = 35});
   run.run(150);
-  EXPECT_EQ(run.count("not-commandable"), 1u) << run.told();
+  EXPECT_EQ(run.count("not-commandable"), 1u) << run.log_text();
   EXPECT_EQ(run.count("not-brought-back", "mode RTL: not answered") +
                 run.count("not-brought-back", "mode AUTO.RTL: not answered"),
             1u)
-      << run.told();
+      << run.log_text();
 }
 
 // A fault at random, and the event that names it: its kind, and a part of its text.
@@ -344,7 +344,7 @@ TEST_P(RealVehicleFaults, AtRandomLeaveNoneAloneAndAreNamedOnce) {
     const Drawn drawn = Draw(GetParam(), seed)();
     FakeRun run(GetParam(), drawn.faults);
     run.run(180);
-    SCOPED_TRACE(drawn.what + ", seed " + std::to_string(seed) + "\n" + run.told());
+    SCOPED_TRACE(drawn.what + ", seed " + std::to_string(seed) + "\n" + run.log_text());
     EXPECT_EQ(run.verdict(), "");
     if (!drawn.kind.empty()) {
       EXPECT_EQ(run.count(drawn.kind, drawn.text), 1u);

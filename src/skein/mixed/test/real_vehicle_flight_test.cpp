@@ -15,8 +15,8 @@ class Flown {
  public:
   Flown(Make make, double take_over_at) : run(make, {}) {
     go(take_over_at);
-    EXPECT_TRUE(run.fake.flew) << told();
-    EXPECT_EQ(run.fake.mode(), VehicleMode::kGuided) << told();
+    EXPECT_TRUE(run.fake.flew) << log_text();
+    EXPECT_EQ(run.fake.mode(), VehicleMode::kGuided) << log_text();
     modes_before_ = run.fake.commands[176];
   }
 
@@ -61,7 +61,7 @@ class Flown {
     return run.fake.mode() == VehicleMode::kGuided && run.fake.armed &&
            run.now - run.fake.last_setpoint < s(1);
   }
-  std::string told() const { return run.told() + why; }
+  std::string log_text() const { return run.log_text() + why; }
 
   FakeRun run;
   std::string why;
@@ -83,11 +83,12 @@ INSTANTIATE_TEST_SUITE_P(Makes, RealVehicleInFlight,
 
 void expect_failsafe_kept(Flown& flown) {
   FakeRun& run = flown.run;
-  EXPECT_EQ(flown.failsafes(), 1) << flown.told();
-  EXPECT_EQ(flown.modes_asked(), 0) << flown.told();
-  EXPECT_EQ(run.fake.mode(), VehicleMode::kReturn) << flown.told();
-  EXPECT_EQ(run.fake.take_offs, 1) << "it takes off no more by itself" << flown.told();
-  EXPECT_TRUE(run.fake.on_ground()) << flown.told();
+  EXPECT_EQ(flown.failsafes(), 1) << flown.log_text();
+  EXPECT_EQ(flown.modes_asked(), 0) << flown.log_text();
+  EXPECT_EQ(run.fake.mode(), VehicleMode::kReturn) << flown.log_text();
+  EXPECT_EQ(run.fake.take_offs, 1)
+      << "it takes off no more by itself" << flown.log_text();
+  EXPECT_TRUE(run.fake.on_ground()) << flown.log_text();
   EXPECT_FALSE(obeys_orders(run.vehicle->status()));
   EXPECT_FALSE(run.vehicle->status().held.empty());
 }
@@ -130,8 +131,8 @@ TEST_P(RealVehicleInFlight, WhatIsHandedBackIsLedOn) {
   flown.go(10);
   ASSERT_TRUE(flown.run.vehicle->hand_back(flown.run.now).ok());
   flown.go(10);
-  EXPECT_TRUE(flown.is_commanded()) << flown.told();
-  EXPECT_EQ(flown.run.count("handed-back"), 1u) << flown.told();
+  EXPECT_TRUE(flown.is_commanded()) << flown.log_text();
+  EXPECT_EQ(flown.run.count("handed-back"), 1u) << flown.log_text();
 }
 
 TEST_P(RealVehicleInFlight, APilotsHoldIsNotTheAgents) {
@@ -143,14 +144,14 @@ TEST_P(RealVehicleInFlight, APilotsHoldIsNotTheAgents) {
     flown.go(8);
     flown.cut(false);
     flown.go(60);
-    EXPECT_EQ(flown.run.fake.mode(), VehicleMode::kHold) << flown.told();
-    EXPECT_EQ(flown.modes_asked(), 0) << flown.told();
-    EXPECT_EQ(flown.run.count("mode-changed"), 1u) << flown.told();
-    EXPECT_EQ(flown.failsafes(), 0) << flown.told();
+    EXPECT_EQ(flown.run.fake.mode(), VehicleMode::kHold) << flown.log_text();
+    EXPECT_EQ(flown.modes_asked(), 0) << flown.log_text();
+    EXPECT_EQ(flown.run.count("mode-changed"), 1u) << flown.log_text();
+    EXPECT_EQ(flown.failsafes(), 0) << flown.log_text();
     flown.run.fake.change_mode(VehicleMode::kGuided);
     flown.go(10);
-    EXPECT_TRUE(flown.is_commanded()) << flown.told();
-    EXPECT_EQ(flown.run.count("handed-back"), 1u) << flown.told();
+    EXPECT_TRUE(flown.is_commanded()) << flown.log_text();
+    EXPECT_EQ(flown.run.count("handed-back"), 1u) << flown.log_text();
   }
 }
 
@@ -160,14 +161,14 @@ TEST_P(RealVehicleInFlight, WithoutSatellitesItIsLedNowhereUntilTheyAreBack) {
   flown.go(1);
   const int before = flown.run.fake.setpoints;
   flown.go(40);
-  EXPECT_LE(flown.run.fake.setpoints, before + 1) << flown.told();
+  EXPECT_LE(flown.run.fake.setpoints, before + 1) << flown.log_text();
   EXPECT_FALSE(obeys_orders(flown.run.vehicle->status()));
   flown.run.fake.faults.no_fix = false;
   flown.go(10);
-  EXPECT_TRUE(flown.is_commanded()) << flown.told();
-  EXPECT_EQ(flown.run.count("position-lost"), 1u) << flown.told();
-  EXPECT_EQ(flown.run.count("position-back"), 1u) << flown.told();
-  EXPECT_EQ(flown.run.count("not-commandable"), 0u) << flown.told();
+  EXPECT_TRUE(flown.is_commanded()) << flown.log_text();
+  EXPECT_EQ(flown.run.count("position-lost"), 1u) << flown.log_text();
+  EXPECT_EQ(flown.run.count("position-back"), 1u) << flown.log_text();
+  EXPECT_EQ(flown.run.count("not-commandable"), 0u) << flown.log_text();
 }
 
 // What happens in a flight, at random; the events that name it, each once.
@@ -287,7 +288,8 @@ TEST_P(RealVehicleInFlight, AtRandomNoneIsOverriddenAndEachIsNamedOnce) {
     Flown flown(GetParam(), happenings.between(35, 80));
     const Happening happened = happenings(flown);
     flown.go(90);
-    SCOPED_TRACE(happened.what + ", seed " + std::to_string(seed) + "\n" + flown.told());
+    SCOPED_TRACE(happened.what + ", seed " + std::to_string(seed) + "\n" +
+                 flown.log_text());
     EXPECT_EQ(misplaced(flown, happened), "");
     EXPECT_LT(flown.run.fake.furthest, 2 * FakeRun::kLeg);
     EXPECT_EQ(flown.failsafes(), happened.failsafes);

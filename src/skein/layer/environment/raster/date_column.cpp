@@ -23,7 +23,7 @@ constexpr double kQuarter = 900;  // [s], zones differ by it
 using Times = std::vector<std::optional<DateTime>>;
 
 // A moment that programs write where they have none.
-bool is_placeholder(const DateTime& time) {
+bool is_null_date(const DateTime& time) {
   if (!time.utc) return false;
   return time.value < kEarliest || time.value >= kLatest ||
          (std::abs(time.value) <= kLargestZone &&
@@ -34,8 +34,8 @@ bool is_placeholder(const DateTime& time) {
 struct Reading {
   DateOrder order = DateOrder::kMonthFirst;
   Times times;
-  std::size_t wrong = 0, placeholders = 0;
-  std::optional<std::size_t> first_wrong, first_placeholder;
+  std::size_t wrong = 0, null_count = 0;
+  std::optional<std::size_t> first_wrong, first_null;
   double low = std::numeric_limits<double>::infinity(), high = -low;
 
   double span() const { return high >= low ? high - low : 0; }
@@ -54,8 +54,8 @@ Reading read_in(DateOrder order, std::span<const std::string> texts,
       if (reading.wrong++ == 0) reading.first_wrong = i;
       continue;
     }
-    if (is_placeholder(*time)) {
-      if (reading.placeholders++ == 0) reading.first_placeholder = i;
+    if (is_null_date(*time)) {
+      if (reading.null_count++ == 0) reading.first_null = i;
       time.reset();
     } else if (time->utc) {
       reading.low = std::min(reading.low, time->value);
@@ -149,8 +149,7 @@ void drop_numbers_among_dates(Reading& reading) {
   for (std::size_t i = 0; i < reading.times.size(); ++i) {
     auto& time = reading.times[i];
     if (!time || time->utc || (time->value != 0 && time->value != -1)) continue;
-    if (reading.placeholders++ == 0 || i < *reading.first_placeholder)
-      reading.first_placeholder = i;
+    if (reading.null_count++ == 0 || i < *reading.first_null) reading.first_null = i;
     time.reset();
   }
 }
@@ -211,8 +210,8 @@ DateColumn read_date_column(std::span<const std::string> texts, const std::strin
   column.times = std::move(best.times);
   column.wrong = best.first_wrong;
   column.wrong_count = best.wrong;
-  column.placeholders = best.placeholders;
-  if (best.first_placeholder) column.placeholder = texts[*best.first_placeholder];
+  column.null_count = best.null_count;
+  if (best.first_null) column.first_null = texts[*best.first_null];
   return column;
 }
 

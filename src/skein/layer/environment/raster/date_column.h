@@ -21,8 +21,8 @@ struct DateColumn {
   std::vector<std::optional<DateTime>> times;  ///< of each text; none: it means no time
   std::optional<std::size_t> wrong;  ///< the first text that is neither a time nor none
   std::size_t wrong_count = 0;       ///< how many such texts there are
-  std::size_t placeholders = 0;      ///< dates and numbers that mean "none"
-  std::string placeholder;           ///< the first of them
+  std::size_t null_count = 0;        ///< dates and numbers that mean "none"
+  std::string first_null;            ///< the first of them
   std::vector<std::string> understood;  ///< what was assumed to read them, as sentences
 };
 

@@ -90,11 +90,11 @@ class LayerTimes {
 
   void note(const DateColumn& column, const std::string& name) {
     for (const std::string& line : column.understood) assumed_.add(line);
-    if (column.placeholders > 0)
+    if (column.null_count > 0)
       assumed_.add(
           fmt::format("{} value(s) of {} mean that there is no time, such as "
                       "\"{}\"",
-                      column.placeholders, name, column.placeholder));
+                      column.null_count, name, column.first_null));
   }
 
   static bool any(const Times& times) {

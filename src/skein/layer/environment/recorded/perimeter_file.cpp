@@ -46,10 +46,10 @@ Result<std::vector<std::optional<DateTime>>> table_times(
     return Error{ErrorCode::kBadInput, path, fmt::format("column {} has no time", name),
                  "seconds or ISO 8601 are allowed"};
   if (none > 0)
-    warnings.push_back(fmt::format(
-        "{}: {} row(s) without a time left out{}", path, none,
-        dates.placeholders > 0 ? fmt::format(", such as \"{}\"", dates.placeholder)
-                               : std::string()));
+    warnings.push_back(fmt::format("{}: {} row(s) without a time left out{}", path, none,
+                                   dates.null_count > 0
+                                       ? fmt::format(", such as \"{}\"", dates.first_null)
+                                       : std::string()));
   return std::move(dates.times);
 }
 

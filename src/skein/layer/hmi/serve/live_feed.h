@@ -34,7 +34,7 @@ using Previewer = std::function<void(ClientNumber, std::uint32_t number, Preview
 
 /// What the feed keeps, in numbers of things.
 struct FeedSizes {
-  std::size_t state_records = 0;    ///< that who comes late is told
+  std::size_t state_records = 0;    ///< that a newcomer receives
   std::size_t waiting_records = 0;  ///< until the next publication
   std::size_t metric_samples = 0;
 };

@@ -17,7 +17,7 @@ namespace {
 using Outcome = RequestAnswer::Outcome;
 
 // A sender, and a vehicle that answers what is sent as the test says.
-struct Desk {
+struct Exchange {
   CommandSender sender{1};
   Time now = Time::from_seconds(100);
   std::function<void(const mavlink::Frame&)> vehicle;
@@ -67,12 +67,12 @@ constexpr std::uint8_t kInt16 = 4, kInt32 = 6, kReal32 = 9;
 
 TEST(CommandSender, TakesAParameterInTheTypeThatTheVehicleKeepsItIn) {
   for (const float height : {119.9F, 100.5F, 120.F, -3.7F}) {
-    Desk desk;
-    desk.keeps(kInt16, -32768, 32767);
-    EXPECT_EQ(desk.run({SetParameter{"TKOFF_ALT", height, kReal32}}).outcome,
+    Exchange exchange;
+    exchange.keeps(kInt16, -32768, 32767);
+    EXPECT_EQ(exchange.run({SetParameter{"TKOFF_ALT", height, kReal32}}).outcome,
               Outcome::kAccepted)
         << height;
-    Desk real;
+    Exchange real;
     real.keeps(kReal32, -1e9, 1e9);
     EXPECT_EQ(real.run({SetParameter{"TKOFF_ALT", height, kReal32}}).outcome,
               Outcome::kAccepted)
@@ -81,47 +81,47 @@ TEST(CommandSender, TakesAParameterInTheTypeThatTheVehicleKeepsItIn) {
 }
 
 TEST(CommandSender, ReportsAParameterThatIsKeptAtAnotherValue) {
-  Desk desk;
-  desk.keeps(kInt16, 0, 200);
-  const RequestAnswer answer = desk.run({SetParameter{"TKOFF_ALT", 250, kReal32}});
+  Exchange exchange;
+  exchange.keeps(kInt16, 0, 200);
+  const RequestAnswer answer = exchange.run({SetParameter{"TKOFF_ALT", 250, kReal32}});
   EXPECT_EQ(answer.outcome, Outcome::kDenied);
   EXPECT_EQ(answer.text, "parameter TKOFF_ALT: 250 was requested, the vehicle keeps 200");
 }
 
 // The value that somebody else has asked for comes first.
 TEST(CommandSender, WaitsForItsOwnValueOfAParameter) {
-  Desk desk;
+  Exchange exchange;
   int times = 0;
-  desk.vehicle = [&](const mavlink::Frame& frame) {
+  exchange.vehicle = [&](const mavlink::Frame& frame) {
     vehicle_services::on<mavlink::ParamSet>(frame, [&](const mavlink::ParamSet& set) {
       mavlink::ParamValue value;
       value.param_id = set.param_id;
       value.param_type = kReal32;
       value.param_value = ++times < 2 ? 50.F : set.param_value;
-      desk.sender.handle(value);
+      exchange.sender.handle(value);
     });
   };
-  EXPECT_EQ(desk.run({SetParameter{"TKOFF_ALT", 80, kReal32}}).outcome,
+  EXPECT_EQ(exchange.run({SetParameter{"TKOFF_ALT", 80, kReal32}}).outcome,
             Outcome::kAccepted);
   EXPECT_EQ(times, 2);
 }
 
 // PX4 keeps integers as bits, and takes none of another type.
 TEST(CommandSender, SendsIntegersAsBitsWhereTheyAreKeptSo) {
-  Desk desk;
-  desk.sender.set_bytewise(true);
+  Exchange exchange;
+  exchange.sender.set_bytewise(true);
   std::int32_t stored = 3;
-  desk.vehicle = [&](const mavlink::Frame& frame) {
+  exchange.vehicle = [&](const mavlink::Frame& frame) {
     vehicle_services::on<mavlink::ParamSet>(frame, [&](const mavlink::ParamSet& set) {
       if (set.param_type == kInt32) stored = std::bit_cast<std::int32_t>(set.param_value);
       mavlink::ParamValue value;
       value.param_id = set.param_id;
       value.param_type = kInt32;
       value.param_value = std::bit_cast<float>(stored);
-      desk.sender.handle(value);
+      exchange.sender.handle(value);
     });
   };
-  EXPECT_EQ(desk.run({SetParameter{"RTL_TYPE", 120, kReal32}}).outcome,
+  EXPECT_EQ(exchange.run({SetParameter{"RTL_TYPE", 120, kReal32}}).outcome,
             Outcome::kAccepted);
   EXPECT_EQ(stored, 120);
 }
@@ -129,31 +129,31 @@ TEST(CommandSender, SendsIntegersAsBitsWhereTheyAreKeptSo) {
 TEST(CommandSender, NamesTheStepThatFailed) {
   const std::vector<RequestStep> mode = {command(kDoSetMode, 1, 4),
                                          AwaitMode{VehicleMode::kGuided, "GUIDED"}};
-  Desk desk;
-  EXPECT_EQ(desk.run(mode).text, "mode GUIDED: not answered in 12 tries");
-  desk.vehicle = [&](const mavlink::Frame&) { desk.acknowledge(kDoSetMode, 2); };
-  EXPECT_EQ(desk.run(mode).text, "mode GUIDED: denied");
-  desk.vehicle = [&](const mavlink::Frame&) { desk.acknowledge(kArmDisarm, 4); };
-  EXPECT_EQ(desk.run({command(kArmDisarm, 1)}).text, "arm: failed");
-  desk.vehicle = [&](const mavlink::Frame&) { desk.acknowledge(kNavTakeOff, 3); };
-  EXPECT_EQ(desk.run({command(kNavTakeOff)}).text, "take-off: not supported");
+  Exchange exchange;
+  EXPECT_EQ(exchange.run(mode).text, "mode GUIDED: not answered in 12 tries");
+  exchange.vehicle = [&](const mavlink::Frame&) { exchange.acknowledge(kDoSetMode, 2); };
+  EXPECT_EQ(exchange.run(mode).text, "mode GUIDED: denied");
+  exchange.vehicle = [&](const mavlink::Frame&) { exchange.acknowledge(kArmDisarm, 4); };
+  EXPECT_EQ(exchange.run({command(kArmDisarm, 1)}).text, "arm: failed");
+  exchange.vehicle = [&](const mavlink::Frame&) { exchange.acknowledge(kNavTakeOff, 3); };
+  EXPECT_EQ(exchange.run({command(kNavTakeOff)}).text, "take-off: not supported");
 }
 
 TEST(CommandSender, WaitsUntilAModeThatIsAcceptedIsTaken) {
   const std::vector<RequestStep> mode = {command(kDoSetMode, 1, 4),
                                          AwaitMode{VehicleMode::kGuided, "GUIDED"}};
-  Desk desk;
-  desk.vehicle = [&](const mavlink::Frame&) { desk.acknowledge(kDoSetMode, 0); };
+  Exchange exchange;
+  exchange.vehicle = [&](const mavlink::Frame&) { exchange.acknowledge(kDoSetMode, 0); };
   VehicleCondition condition;
   condition.mode_name = "LOITER";
-  desk.sender.report(condition);
-  const RequestAnswer answer = desk.run(mode);
+  exchange.sender.report(condition);
+  const RequestAnswer answer = exchange.run(mode);
   EXPECT_EQ(answer.outcome, Outcome::kDenied);
   EXPECT_EQ(answer.text, "mode GUIDED: accepted, but it stays in LOITER");
   condition.mode = VehicleMode::kGuided;
-  desk.sender.report(condition);
-  EXPECT_EQ(desk.run(mode).outcome, Outcome::kAccepted);
-  EXPECT_EQ(desk.run({command(kDoSetMode, 1, 4), AwaitArmed{}}).text,
+  exchange.sender.report(condition);
+  EXPECT_EQ(exchange.run(mode).outcome, Outcome::kAccepted);
+  EXPECT_EQ(exchange.run({command(kDoSetMode, 1, 4), AwaitArmed{}}).text,
             "arm: accepted, but it stays disarmed");
 }
 

@@ -74,8 +74,8 @@ TEST(DateColumns, WhatMeansNoneIsNone) {
     EXPECT_EQ(read_in.column.wrong, std::nullopt) << each;
   }
   const ReadColumn counted = read({"1630839600000", "0", "-2209161600000"});
-  EXPECT_EQ(counted.column.placeholders, 2u);
-  EXPECT_EQ(counted.column.placeholder, "0");
+  EXPECT_EQ(counted.column.null_count, 2u);
+  EXPECT_EQ(counted.column.first_null, "0");
   // Plain seconds begin where they want.
   EXPECT_EQ(read({"0", "60"}).utc, (Texts{"0.000000", "60.000000"}));
 }

@@ -56,9 +56,9 @@ class Served {
   }
 
   WebStatistics statistics() {
-    std::promise<WebStatistics> told;
-    server->post([&] { told.set_value(server->statistics()); });
-    return told.get_future().get();
+    std::promise<WebStatistics> answer;
+    server->post([&] { answer.set_value(server->statistics()); });
+    return answer.get_future().get();
   }
   unsigned status(Asked asked) const { return ask(port, asked).result_int(); }
 
