@@ -6,6 +6,7 @@ import { chromium } from "playwright-core";
 /** Runs the program until its page can be had; `place` is its address. */
 export async function serve(program, ...args) {
   const child = spawn(program, args, { stdio: ["ignore", "ignore", "pipe"] });
+  process.on("exit", () => child.kill("SIGKILL"));  // a test that fails leaves nobody in its folder
   let said = "";
   const place = await new Promise((resolve, reject) => {
     child.stderr.on("data", (data) => {
