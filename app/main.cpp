@@ -11,16 +11,16 @@
 #include <string>
 #include <vector>
 
-#include "app/avoid_commands.h"
-#include "app/command_options.h"
-#include "app/commands.h"
-#include "app/number_range.h"
-#include "app/output.h"
-#include "app/plan_options.h"
-#include "app/team_commands.h"
-#include "app/version.h"
+#include "app/avoid/commands.h"
+#include "app/common/command_options.h"
+#include "app/common/commands.h"
+#include "app/common/number_range.h"
+#include "app/common/output.h"
+#include "app/common/version.h"
+#include "app/plan/options.h"
+#include "app/team/commands.h"
 #include "skein/base/result.h"
-#include "skein/record/sqlite.h"
+#include "skein/record/store/sqlite.h"
 
 namespace skein::app {
 namespace {

@@ -7,14 +7,14 @@
 #include <memory>
 
 #include "skein/base/math.h"
-#include "skein/layer/reasoning/team/allocation/auction.h"
-#include "skein/layer/reasoning/team/allocation/coalitions.h"
-#include "skein/layer/reasoning/team/allocation/search_random.h"
-#include "skein/layer/reasoning/team/allocation/sequences.h"
-#include "skein/layer/reasoning/team/allocation/task_satisfaction.h"
-#include "skein/layer/reasoning/team/allocation/tours.h"
+#include "skein/solve/allocation/auction.h"
+#include "skein/solve/allocation/coalitions.h"
+#include "skein/solve/allocation/search_random.h"
+#include "skein/solve/allocation/sequences.h"
+#include "skein/solve/allocation/task_satisfaction.h"
+#include "skein/solve/touring/tours.h"
 
-namespace skein::allocation {
+namespace skein::solve {
 namespace {
 
 constexpr double kSide = 12'000;  // of the area [m]
@@ -201,4 +201,4 @@ BENCHMARK_CAPTURE(tours, 200x5, 200, 5)
     ->Arg(100'000);
 
 }  // namespace
-}  // namespace skein::allocation
+}  // namespace skein::solve

@@ -8,11 +8,11 @@
 
 #include <cstdlib>
 
-#include "skein/layer/reasoning/team/allocation/test/proof_campaign.h"
+#include "skein/solve/test/proof_campaign.h"
 
 namespace {
 
-using skein::allocation::test::ProofTally;
+using skein::solve::test::ProofTally;
 
 std::uint32_t number(int argc, char** argv, int index, std::uint32_t otherwise) {
   return argc > index ? static_cast<std::uint32_t>(std::strtoul(argv[index], nullptr, 10))
@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   const std::uint32_t count = number(argc, argv, 1, 10'000);
   const std::uint32_t first = number(argc, argv, 2, 1'000'000);  // not those of the tests
   const std::size_t aircraft = number(argc, argv, 3, 40);
-  using namespace skein::allocation::test;
+  using namespace skein::solve::test;
   bool good = campaign("coalitions", first, count, [&](std::uint32_t k) {
     return check_coalition_proof(k, aircraft);
   });

@@ -15,7 +15,7 @@
 
 #include "skein/assemble/test/whole_flight.h"
 #include "skein/base/random.h"
-#include "skein/exchange/formats.h"
+#include "skein/exchange/table/formats.h"
 #include "skein/model/connection/airplane.h"
 #include "skein/model/path/flight_plan.h"
 

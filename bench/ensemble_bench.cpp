@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "skein/layer/reasoning/monitoring/ensemble/ensemble_estimator.h"
+#include "skein/layer/reasoning/perimeter/ensemble/ensemble_estimator.h"
 #include "skein/model/levelset/advance.h"
 #include "skein/model/levelset/reinitialise.h"
 
@@ -62,7 +62,7 @@ PerimeterPrior prior() {
 
 // 20 simulated seconds of 40 fronts; an item is a member.
 void predict(benchmark::State& state) {
-  monitoring::EnsembleEstimator estimator(prior(), {});
+  perimeter::EnsembleEstimator estimator(prior(), {});
   double t = 0;
   for (auto _ : state) estimator.predict(Time::from_seconds(t += 20));
   per_item(state, 40);
@@ -71,8 +71,8 @@ BENCHMARK(predict)->Unit(benchmark::kMillisecond)->Iterations(60);
 
 // One crossing, on a belief that is refreshed every 36 crossings.
 void observe_crossing(benchmark::State& state) {
-  const monitoring::EnsembleEstimator fresh(prior(), {});
-  monitoring::EnsembleEstimator estimator = fresh;
+  const perimeter::EnsembleEstimator fresh(prior(), {});
+  perimeter::EnsembleEstimator estimator = fresh;
   int k = 0;
   for (auto _ : state) {
     if (k % 36 == 0) {
@@ -91,7 +91,7 @@ BENCHMARK(observe_crossing)->Unit(benchmark::kMicrosecond);
 
 // A reading that says nothing new, the usual case.
 void observe_expected_reading(benchmark::State& state) {
-  monitoring::EnsembleEstimator estimator(prior(), {});
+  perimeter::EnsembleEstimator estimator(prior(), {});
   for (auto _ : state)
     estimator.observe(FireReading{Time(), EntityId{1}, Vec2(100, 100), 2, true});
   per_item(state, 1);
@@ -99,7 +99,7 @@ void observe_expected_reading(benchmark::State& state) {
 BENCHMARK(observe_expected_reading)->Unit(benchmark::kMicrosecond);
 
 void boundary(benchmark::State& state) {
-  const monitoring::EnsembleEstimator estimator(prior(), {});
+  const perimeter::EnsembleEstimator estimator(prior(), {});
   for (auto _ : state) {
     const BoundaryEstimate b = estimator.boundary();
     benchmark::DoNotOptimize(b.rings.data());

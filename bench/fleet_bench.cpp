@@ -13,8 +13,8 @@
 #include <numeric>
 #include <vector>
 
-#include "skein/assemble/build.h"
-#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/world/build.h"
 #include "skein/scenario/scenario_file.h"
 #include "skein/simulation/run.h"
 

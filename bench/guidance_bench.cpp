@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/autopilot/guidance/fixed_wing_guidance.h"
 #include "skein/layer/autopilot/guidance/multirotor_guidance.h"
 #include "skein/layer/autopilot/guidance/unflyable.h"

@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "skein/geo/vec.h"
-#include "skein/layer/reasoning/monitoring/joint/joint_estimator.h"
+#include "skein/layer/reasoning/perimeter/joint/joint_estimator.h"
 
 namespace {
 
@@ -13,8 +13,8 @@ using skein::FireReading;
 using skein::Time;
 using skein::Vec2;
 namespace geo = skein::geo;
-using skein::monitoring::JointEstimator;
-using skein::monitoring::JointOptions;
+using skein::perimeter::JointEstimator;
+using skein::perimeter::JointOptions;
 
 skein::PerimeterPrior windy() {
   skein::PerimeterPrior prior;

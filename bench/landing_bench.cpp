@@ -11,8 +11,8 @@
 #include <map>
 #include <vector>
 
-#include "skein/assemble/build.h"
-#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/world/build.h"
 #include "skein/scenario/scenario_file.h"
 #include "skein/simulation/run.h"
 

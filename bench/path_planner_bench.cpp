@@ -14,12 +14,12 @@
 #include <nlohmann/json.hpp>
 
 #include "skein/base/random.h"
-#include "skein/layer/reasoning/planning/search/aa_star.h"
-#include "skein/layer/reasoning/planning/search/fleet_plan.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/aa_star.h"
+#include "skein/solve/path/fleet_plan.h"
+#include "skein/solve/path/repair.h"
 
-namespace skein::planning {
+namespace skein::solve {
 namespace {
 
 const char* const kScenes[] = {"sparse10", "dense50", "wall"};
@@ -280,4 +280,4 @@ BENCHMARK(plan_fleet_of)
     ->Iterations(1);
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::solve

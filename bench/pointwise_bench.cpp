@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "skein/base/random.h"
-#include "skein/layer/reasoning/monitoring/pointwise/pointwise_kinds.h"
+#include "skein/layer/reasoning/perimeter/pointwise/pointwise_kinds.h"
 #include "skein/model/probability/half_space_update.h"
 
 namespace skein {
@@ -71,8 +71,8 @@ BENCHMARK(KalmanUpdate);
 // One reading given to a whole estimator of 60 points, gate and expected reading
 // included.
 void Reading(benchmark::State& state) {
-  const monitoring::PointwiseKind& kind =
-      monitoring::pointwise_kinds()[static_cast<std::size_t>(state.range(0))];
+  const perimeter::PointwiseKind& kind =
+      perimeter::pointwise_kinds()[static_cast<std::size_t>(state.range(0))];
   const auto estimator = make_pointwise(kind, {}, {}, 1);
   double bearing = 0, now = 0;
   for (auto _ : state) {

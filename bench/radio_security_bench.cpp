@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/message.h"
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
+#include "skein/data/radio/message.h"
 #include "skein/layer/communication/security/authenticity.h"
 
 namespace {

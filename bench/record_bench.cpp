@@ -7,10 +7,10 @@
 #include <string>
 
 #include "skein/base/random.h"
-#include "skein/record/metrics.h"
-#include "skein/record/reading_ages.h"
-#include "skein/record/run_recorder.h"
-#include "skein/record/summary_recorder.h"
+#include "skein/record/figures/metrics.h"
+#include "skein/record/figures/reading_ages.h"
+#include "skein/record/store/run_recorder.h"
+#include "skein/record/store/summary_recorder.h"
 
 namespace skein::record {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "skein/base/random.h"
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/environment/turbulence/dryden_turbulence.h"
 #include "skein/layer/sensory/airspeed_sensor.h"
 #include "skein/layer/sensory/anemometer.h"

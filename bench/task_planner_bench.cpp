@@ -8,12 +8,12 @@
 
 #include "skein/base/random.h"
 #include "skein/geo/clip.h"
-#include "skein/layer/reasoning/planning/search/aa_star.h"
-#include "skein/layer/reasoning/planning/tasks/coverage.h"
-#include "skein/layer/reasoning/planning/tasks/sweep_search.h"
 #include "skein/model/path/wind_triangle.h"
+#include "skein/solve/coverage/coverage.h"
+#include "skein/solve/coverage/sweep_search.h"
+#include "skein/solve/path/aa_star.h"
 
-namespace skein::planning {
+namespace skein::solve {
 namespace {
 
 const FlightLimits kLimits{15, 40, 3, 11, 20, 3};
@@ -178,4 +178,4 @@ BENCHMARK(coverage)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace skein::planning
+}  // namespace skein::solve

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "skein/base/random.h"
-#include "skein/exchange/encounters.h"
+#include "skein/exchange/traffic/encounters.h"
 #include "skein/model/well_clear/bands.h"
 
 namespace skein::model {

@@ -2,8 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "skein/data/record.h"
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
+#include "skein/data/event/record.h"
 
 namespace skein {
 namespace {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "skein/base/random.h"
-#include "skein/data/airspace.h"
-#include "skein/layer/reasoning/planning/search/aa_star.h"
+#include "skein/data/airspace/airspace.h"
 #include "skein/layer/reasoning/trajectory/detour_planner.h"
 #include "skein/layer/reasoning/trajectory/zone_avoidance.h"
+#include "skein/solve/path/aa_star.h"
 
 namespace skein {
 namespace {
@@ -74,7 +74,7 @@ void plan_leg(benchmark::State& state) {
   query.wind = {-2, 4};
   query.airspace = &airspace;
   query.budget.expansions = state.range(1);
-  const planning::AaStar planner;
+  const solve::AaStar planner;
   double duration = 0;
   for (auto _ : state) duration = planner.plan(query).duration;
   state.counters["flight_s"] = duration;

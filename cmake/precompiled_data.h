@@ -5,7 +5,7 @@
 
 #include "precompiled.h"
 #include "skein/base/result.h"
-#include "skein/data/agent_step.h"
-#include "skein/data/record.h"
-#include "skein/data/vehicle_request.h"
+#include "skein/data/event/record.h"
+#include "skein/data/vehicle/agent_step.h"
+#include "skein/data/vehicle/vehicle_request.h"
 #include "skein/geo/local_frame.h"

@@ -19,7 +19,7 @@ if(GIT_FOUND)
   endif()
 endif()
 if(NOT build)
-  file(GLOB_RECURSE files ${SOURCE}/src/* ${SOURCE}/app/* ${SOURCE}/web/live/*
+  file(GLOB_RECURSE files ${SOURCE}/src/* ${SOURCE}/app/* ${SOURCE}/web/common/* ${SOURCE}/web/live/*
        ${SOURCE}/web/report/* ${SOURCE}/web/plan/*)
   list(SORT files)
   set(all "")

@@ -1,5 +1,5 @@
 // Bundles the pages of reports (web/report) and writes them as C++ text, the functions of
-// skein/record/page_assets.h: build_report.mjs OUTPUT.cpp [--size]
+// skein/record/report/page_assets.h: build_report.mjs OUTPUT.cpp [--size]
 import { writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -39,7 +39,7 @@ if (flags.includes("--size"))
 writeFileSync(
   output,
   `// Made by web/build_report.mjs.
-#include "skein/record/page_assets.h"
+#include "skein/record/report/page_assets.h"
 
 namespace skein::record {
 

@@ -72,11 +72,11 @@ TEST_F(Program, TheDocumentationOfKeysIsUpToDate) {
   EXPECT_EQ(run({"keys", "tasks"}).out, read_file(SKEIN_SOURCE_DIR "/docs/task-kinds.md"))
       << "Renew it: build/release/skein keys tasks > docs/task-kinds.md";
   EXPECT_EQ(run({"schema", "records"}).out,
-            read_file(SKEIN_SOURCE_DIR "/web/report/records.ts"))
-      << "Renew it: build/release/skein schema records > web/report/records.ts";
+            read_file(SKEIN_SOURCE_DIR "/web/common/records.ts"))
+      << "Renew it: build/release/skein schema records > web/common/records.ts";
   EXPECT_EQ(run({"schema", "wire"}).out,
-            read_file(SKEIN_SOURCE_DIR "/web/live/wire_table.ts"))
-      << "Renew it: build/release/skein schema wire > web/live/wire_table.ts";
+            read_file(SKEIN_SOURCE_DIR "/web/common/wire_table.ts"))
+      << "Renew it: build/release/skein schema wire > web/common/wire_table.ts";
 }
 
 TEST_F(Program, ShippedScenariosAreGood) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/assemble/kind_registry.h"
+#include "skein/assemble/kinds/kind_registry.h"
 
 namespace my_kinds {
 

@@ -1,5 +1,5 @@
 // The only symbol that a plugin needs: what it was built for, and how to add its kinds.
-#include "skein/assemble/plugin.h"
+#include "skein/assemble/kinds/plugin.h"
 
 #include "my_kinds.h"
 

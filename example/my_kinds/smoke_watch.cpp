@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-#include "skein/data/plugin_value.h"
+#include "skein/data/describe/plugin_value.h"
 
 namespace my_kinds {
 namespace {

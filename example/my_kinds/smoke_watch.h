@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "skein/base/id.h"
-#include "skein/data/describe.h"
+#include "skein/data/describe/describe.h"
 #include "skein/geo/vec.h"
 #include "skein/role/agent.h"
 

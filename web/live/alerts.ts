@@ -3,10 +3,10 @@
  * priorities as crewed aviation has them: warnings want an act at once, cautions soon, advisories
  * only that they are known.
  */
-import { h } from "../report/dom";
+import { h } from "../common/dom";
 import type { App } from "./app";
-import { T } from "./texts";
-import { button, icon, iconButton } from "./ui";
+import { T } from "../common/texts";
+import { button, icon, iconButton } from "../common/ui";
 
 export type Priority = 0 | 1 | 2; // warning, caution, advisory
 

@@ -1,16 +1,16 @@
 /** What all parts of the operator's page share: the run and its map, the connection, commands, drawings. */
 import { Connection, type Sent } from "./connection";
-import { Frame } from "./frames";
+import { Frame } from "../common/frames";
 import { Drawing } from "./map/drawing";
-import { drawPreview } from "./map/paths";
-import { Terrain } from "./map/terrain";
+import { drawPreview } from "../common/map/paths";
+import { Terrain } from "../common/map/terrain";
 import { Previews } from "./previews";
-import type { RunDescription, What } from "./protocol";
-import { T } from "./texts";
-import { RunView } from "./view";
-import { Decoder, type Table } from "./wire";
-import { kTable } from "./wire_table";
-import { World } from "./world";
+import type { RunDescription, What } from "../common/protocol";
+import { T } from "../common/texts";
+import { RunView } from "../common/view";
+import { Decoder, type Table } from "../common/wire";
+import { kTable } from "../common/wire_table";
+import { World } from "../common/world";
 
 export class App extends RunView {
   readonly speeds = [0.25, 0.5, 1, 2, 4, 10, 20, 50, 0];

@@ -1,6 +1,6 @@
 /** The WebSocket to the server: connects again after it was lost, numbers commands and follows their fate. */
-import type { CommandReply } from "./protocol";
-import type { Decoder, Visit } from "./wire";
+import type { CommandReply } from "../common/protocol";
+import type { Decoder, Visit } from "../common/wire";
 
 export type ConnectionState = "connecting" | "open" | "lost";
 

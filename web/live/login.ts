@@ -1,7 +1,7 @@
 /** Asks for the token; the server keeps it in a cookie that scripts cannot read. */
-import { h } from "../report/dom";
-import { T } from "./texts";
-import { labelledField, setText } from "./ui";
+import { h } from "../common/dom";
+import { T } from "../common/texts";
+import { labelledField, setText } from "../common/ui";
 
 export function login(root: HTMLElement): Promise<void> {
   return new Promise((resolve) => {

@@ -2,15 +2,15 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { setWorkerUrl } from "maplibre-gl";
-import { h } from "../report/dom";
+import { h } from "../common/dom";
 import { load } from "./app";
 import { login } from "./login";
 import { build } from "./page";
-import type { RunDescription } from "./protocol";
-import { loadSettings } from "./settings";
-import { T } from "./texts";
-import { applyTheme } from "./top_bar";
-import { button } from "./ui";
+import type { RunDescription } from "../common/protocol";
+import { loadSettings } from "../common/settings";
+import { T } from "../common/texts";
+import { applyTheme } from "../common/page_controls";
+import { button } from "../common/ui";
 
 const root = document.getElementById("page")!;
 

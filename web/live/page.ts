@@ -1,10 +1,10 @@
 /** Lays the page out: bar, map, dock with its panels, timeline. */
-import { h } from "../report/dom";
+import { h } from "../common/dom";
 import type { App } from "./app";
-import { mapControls, mapFoot } from "./map/controls";
+import { mapControls, mapFoot } from "../common/map/controls";
 import { Alerts } from "./alerts";
-import { contextMenu } from "./context_menu";
-import { listenToKeys, showKeys } from "./keys";
+import { contextMenu } from "../common/context_menu";
+import { listenToKeys, showKeys } from "../common/keys";
 import { EventsPanel } from "./panels/events";
 import { FirePanel } from "./panels/fire";
 import { FleetPanel } from "./panels/fleet";
@@ -13,10 +13,10 @@ import { LinksPanel } from "./panels/links";
 import { MissionPanel } from "./panels/mission";
 import type { Panel } from "./panels/panel";
 import { PlotsPanel } from "./panels/plots";
-import { T } from "./texts";
-import { Timeline } from "./timeline";
+import { T } from "../common/texts";
+import { Timeline } from "../common/timeline";
 import { topBar } from "./top_bar";
-import { icon } from "./ui";
+import { icon } from "../common/ui";
 
 export function build(app: App, root: HTMLElement): void {
   const fleet = new FleetPanel(app);

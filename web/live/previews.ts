@@ -1,8 +1,8 @@
 /** What aircraft would do with a task that is not given yet: asked of the server, which flies it ahead. */
-import { clock } from "../report/dom";
+import { clock } from "../common/dom";
 import type { App } from "./app";
-import type { PathPoint, TaskPreview, What } from "./protocol";
-import { T } from "./texts";
+import type { PathPoint, TaskPreview, What } from "../common/protocol";
+import { T } from "../common/texts";
 
 export interface Preview {
   aircraft: string;

@@ -1,7 +1,7 @@
 /** When alerts stood, aircraft by aircraft, along the time of the player. */
 import type { Alerts } from "./alerts";
 import type { RunData } from "./data";
-import { clock, h } from "./dom";
+import { clock, h } from "../common/dom";
 
 export interface AlertStrip {
   element: HTMLElement;

@@ -1,5 +1,5 @@
 /** What the pilot of an aircraft has around, at the time that the world is of. */
-import type { World } from "../live/world";
+import type { World } from "../common/world";
 import type { Alerts } from "./alerts";
 
 export interface Pose {

@@ -1,7 +1,7 @@
 /** What the program puts into the page, and how its packed numbers are read. */
 
-import type { RunDescription } from "../live/protocol";
-import type { Alert, Entity, Event, RecommendationChange } from "./records";
+import type { RunDescription } from "../common/protocol";
+import type { Alert, Entity, Event, RecommendationChange } from "../common/records";
 import { bytes } from "./unpack";
 
 /** Base64 of little-endian numbers of the kind that the field's comment names. */

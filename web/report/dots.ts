@@ -1,6 +1,6 @@
 /** Values of every pair of a row and a series along one axis: drawn as SVG, so that they
  * stay crisp on paper. */
-import { h, number, tick } from "./dom";
+import { h, number, tick } from "../common/dom";
 import type { StudyDots } from "./data";
 
 const kWidth = 900, kLeft = 150, kRight = 24, kTop = 8, kLane = 11, kGap = 9, kAxis = 44;

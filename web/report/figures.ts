@@ -1,6 +1,6 @@
 /** The tables of key figures, for one run or several side by side. */
 import type { RunData } from "./data";
-import { clock, h, number } from "./dom";
+import { clock, h, number } from "../common/dom";
 import { chosen, sameFire } from "./scenario_text";
 
 type Best = "low" | "high" | { near: number };

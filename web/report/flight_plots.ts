@@ -1,5 +1,5 @@
 /** How the aircraft of one run flew, over time. */
-import type { ChartOptions, Line } from "./chart";
+import type { ChartOptions, Line } from "../common/chart";
 import { floats, type FlightColumn, type RunData } from "./data";
 
 const kPlots: { title: string; note?: string; unit?: string; column: FlightColumn; percent?: boolean }[] = [

@@ -1,12 +1,12 @@
 /** The map of a run, or those of two runs side by side, which one player moves through their time. */
-import { listenToKeys } from "../live/keys";
-import type { MapView } from "../live/map/map_view";
-import { Player } from "../live/player";
-import { T } from "../live/texts";
-import { replayButtons, timeSlider } from "../live/timeline";
-import { timeControls } from "../live/top_bar";
+import { listenToKeys } from "../common/keys";
+import type { MapView } from "../common/map/map_view";
+import { Player } from "../common/player";
+import { T } from "../common/texts";
+import { replayButtons, timeSlider } from "../common/timeline";
+import { timeControls } from "../common/page_controls";
 import type { RunData } from "./data";
-import { h } from "./dom";
+import { h } from "../common/dom";
 import { printedMaps } from "./printed_maps";
 import { RunFrame, unpack, type ShownRun } from "./run_frame";
 

@@ -1,8 +1,8 @@
 /** What the pages of runs and of studies have in common. */
-import { loadSettings } from "../live/settings";
-import { applyTheme } from "../live/top_bar";
+import { loadSettings } from "../common/settings";
+import { applyTheme } from "../common/page_controls";
 import type { PageData } from "./data";
-import { h } from "./dom";
+import { h } from "../common/dom";
 
 const root = document.getElementById("page")!;
 

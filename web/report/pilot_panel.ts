@@ -1,9 +1,9 @@
 /** The panel with the display of one aircraft's pilot, at the time of the player. */
-import type { World } from "../live/world";
+import type { World } from "../common/world";
 import type { Alerts } from "./alerts";
 import { paint } from "./canvas";
 import { believers, Cockpit } from "./cockpit";
-import { clock, h, number } from "./dom";
+import { clock, h, number } from "../common/dom";
 import { drawPilotDisplay, fittingRange, kRanges } from "./pilot_display";
 
 export interface PilotPanel {

@@ -1,7 +1,7 @@
 /** The maps at a few times, for paper: pictures that are made when the page is printed. */
-import type { MapView } from "../live/map/map_view";
-import type { Player } from "../live/player";
-import { clock, h } from "./dom";
+import type { MapView } from "../common/map/map_view";
+import type { Player } from "../common/player";
+import { clock, h } from "../common/dom";
 
 const kParts = [0, 1 / 3, 2 / 3, 1]; // of the run
 

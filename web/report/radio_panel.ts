@@ -1,7 +1,7 @@
 /** What the radios of a run did: who heard whom how well, how full the air was. */
 import { floats, type RunData } from "./data";
-import { h, number } from "./dom";
-import type { Line } from "./chart";
+import { h, number } from "../common/dom";
+import type { Line } from "../common/chart";
 
 /** Load of the air over time, mean of all radios and the fullest. */
 export function loadLines(runs: RunData[]): Line[] {

@@ -1,15 +1,15 @@
 /** A run of a report on its map: all that the operator's page shows of a recorded one. */
-import { contextMenu } from "../live/context_menu";
-import { listenToKeys } from "../live/keys";
-import { mapControls, mapFoot } from "../live/map/controls";
-import type { Player } from "../live/player";
-import { RecordedView, type RecordedRun } from "../live/recorded_view";
-import { Timeline } from "../live/timeline";
-import { dimensionButton, settingsMenu } from "../live/top_bar";
+import { contextMenu } from "../common/context_menu";
+import { listenToKeys } from "../common/keys";
+import { mapControls, mapFoot } from "../common/map/controls";
+import type { Player } from "../common/player";
+import { RecordedView, type RecordedRun } from "../common/recorded_view";
+import { Timeline } from "../common/timeline";
+import { dimensionButton, settingsMenu } from "../common/page_controls";
 import { alertStrip, type AlertStrip } from "./alert_strip";
 import { Alerts } from "./alerts";
 import { floats, type RunData } from "./data";
-import { h, number } from "./dom";
+import { h, number } from "../common/dom";
 import { unpacked } from "./unpack";
 
 const kMany = 20; // from so many aircraft on, recent tracks are short at first

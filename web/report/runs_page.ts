@@ -1,7 +1,7 @@
 /** The report of one run or several. */
-import { chart, type Chart, type ChartOptions, type Dash, type Line } from "./chart";
+import { chart, type Chart, type ChartOptions, type Dash, type Line } from "../common/chart";
 import { floats, type RunData } from "./data";
-import { clock, h, section } from "./dom";
+import { clock, h, section } from "../common/dom";
 import { comparisonTables, figuresTable, hasMetrics, missionTable, tiles } from "./figures";
 import { flightCharts } from "./flight_plots";
 import { chosen, sameFire } from "./scenario_text";

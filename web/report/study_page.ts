@@ -1,7 +1,7 @@
 /** The report of a study: text, tables, plots. */
-import { chart } from "./chart";
+import { chart } from "../common/chart";
 import type { StudyCell, StudyData } from "./data";
-import { h, number, section } from "./dom";
+import { h, number, section } from "../common/dom";
 import { dotPlot } from "./dots";
 import { trackMap } from "./tracks";
 

@@ -1,5 +1,5 @@
 /** Tracks over ground, north up, both axes to the same scale. Drawn as SVG. */
-import { h, tick } from "./dom";
+import { h, tick } from "../common/dom";
 import type { StudyMap } from "./data";
 import { linearTicks, svg } from "./dots";
 

@@ -18,12 +18,13 @@ bool is_valid_text(std::string_view text);
 ///
 /// Every reader of text that Skein did not write itself calls it, once, where the text
 /// comes in, so that records, JSON, databases and pages never meet anything else:
-/// commands (data/command_text.h), fields of MAVLink messages (link/mavlink/payload.h),
-/// values in their wire form (data/wire.h: other hosts, modems, stored blobs), texts of a
-/// database (record/sqlite.h), tables and attributes of files, names in a file of tokens.
-/// What libraries check themselves needs no call: JSON and YAML that are no UTF-8 are
-/// refused, WebSocket texts too. Names of files stay the bytes that the system knows them
-/// by; what is shown or recorded of them passes through here.
+/// commands (data/command/command_text.h), fields of MAVLink messages
+/// (link/mavlink/payload.h), values in their wire form (data/describe/wire.h: other
+/// hosts, modems, stored blobs), texts of a database (record/store/sqlite.h), tables and
+/// attributes of files, names in a file of tokens. What libraries check themselves needs
+/// no call: JSON and YAML that are no UTF-8 are refused, WebSocket texts too. Names of
+/// files stay the bytes that the system knows them by; what is shown or recorded of them
+/// passes through here.
 ///
 /// Control characters stay: shown_text.h makes text fit for a terminal.
 std::string valid_text(std::string text);

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "skein/base/time.h"
-#include "skein/data/setpoint.h"
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/setpoint.h"
+#include "skein/data/vehicle/vehicle_report.h"
 
 namespace skein::mixed {
 

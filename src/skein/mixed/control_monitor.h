@@ -8,9 +8,9 @@
 
 #include "skein/base/result.h"
 #include "skein/base/time.h"
-#include "skein/data/autopilot.h"
-#include "skein/data/vehicle_report.h"
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_request.h"
 #include "skein/role/vehicle.h"
 
 namespace skein::mixed {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle_report.h"
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/role/vehicle.h"
 #include "skein/role/vehicle_port.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/air.h"
-#include "skein/data/fault.h"
+#include "skein/data/vehicle/air.h"
+#include "skein/data/vehicle/fault.h"
 #include "skein/mixed/motion_predictor.h"
 #include "skein/role/autopilot.h"
 #include "skein/role/fault_schedule.h"

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/geo/vec.h"
 
 namespace skein::mixed {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "skein/data/vehicle.h"
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/vehicle.h"
+#include "skein/data/vehicle/vehicle_report.h"
 
 namespace skein::mixed {
 

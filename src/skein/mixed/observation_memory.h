@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/observation.h"
+#include "skein/data/perimeter/observation.h"
 
 namespace skein::mixed {
 

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle_request.h"
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
+#include "skein/data/vehicle/vehicle_request.h"
 #include "skein/geo/vec.h"
 #include "skein/role/terrain.h"
 

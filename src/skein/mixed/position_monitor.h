@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/role/vehicle.h"
 
 namespace skein::mixed {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/mixed/command_monitor.h"
 #include "skein/mixed/driven_plant.h"
 #include "skein/mixed/flight_director.h"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/agent_step.h"
-#include "skein/data/entity_report.h"
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/agent_step.h"
+#include "skein/data/vehicle/entity_report.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/mixed/motion_tracker.h"
 #include "skein/mixed/recorded_port.h"
 #include "skein/role/agent.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle_report.h"
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/mixed/fence_keeper.h"
 #include "skein/role/vehicle.h"
 #include "skein/role/vehicle_port.h"

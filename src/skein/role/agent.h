@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/data/agent_step.h"
+#include "skein/data/vehicle/agent_step.h"
 
 namespace skein {
 

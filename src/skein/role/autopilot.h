@@ -1,9 +1,9 @@
 #pragma once
 
-#include "skein/data/autopilot.h"
-#include "skein/data/control.h"
-#include "skein/data/sensing.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/control.h"
+#include "skein/data/vehicle/sensing.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein {
 

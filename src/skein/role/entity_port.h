@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/entity_input.h"
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/entity_input.h"
+#include "skein/data/vehicle/vehicle_report.h"
 
 namespace skein {
 

@@ -8,8 +8,8 @@
 
 #include "skein/base/result.h"
 #include "skein/base/time.h"
-#include "skein/data/fault.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/fault.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/role/vehicle.h"
 
 namespace skein {

@@ -4,8 +4,8 @@
 
 #include "skein/base/result.h"
 #include "skein/base/time.h"
-#include "skein/data/control.h"
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/control.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/geo/vec.h"
 
 namespace skein {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "skein/data/mission.h"
+#include "skein/data/team/mission.h"
 #include "skein/role/agent.h"
 
 namespace skein {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "skein/data/monitoring.h"
+#include "skein/data/perimeter/monitoring.h"
 
 namespace skein {
 

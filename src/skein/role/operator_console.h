@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/command.h"
-#include "skein/data/event.h"
+#include "skein/data/command/command.h"
+#include "skein/data/event/event.h"
 
 namespace skein {
 

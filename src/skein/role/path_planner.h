@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "skein/data/flight_plan.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/flight_plan.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein {
 

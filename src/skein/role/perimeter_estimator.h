@@ -3,7 +3,7 @@
 #include <memory>
 #include <string_view>
 
-#include "skein/data/fire.h"
+#include "skein/data/perimeter/fire.h"
 
 namespace skein {
 

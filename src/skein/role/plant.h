@@ -1,9 +1,9 @@
 #pragma once
 
-#include "skein/data/air.h"
-#include "skein/data/airframe.h"
-#include "skein/data/control.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/air.h"
+#include "skein/data/vehicle/airframe.h"
+#include "skein/data/vehicle/control.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein {
 

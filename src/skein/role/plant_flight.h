@@ -4,9 +4,9 @@
 #include <string>
 
 #include "skein/base/time.h"
-#include "skein/data/air.h"
-#include "skein/data/control.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/air.h"
+#include "skein/data/vehicle/control.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/role/plant.h"
 #include "skein/role/terrain.h"
 #include "skein/role/turbulence.h"

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "skein/data/event.h"
-#include "skein/data/radio.h"
+#include "skein/data/event/event.h"
+#include "skein/data/radio/radio.h"
 
 namespace skein {
 

@@ -2,7 +2,7 @@
 
 #include "skein/base/result.h"
 #include "skein/base/time.h"
-#include "skein/data/record.h"
+#include "skein/data/event/record.h"
 
 namespace skein {
 

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/air.h"
-#include "skein/data/object.h"
-#include "skein/data/sensing.h"
-#include "skein/data/traffic.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/perimeter/object.h"
+#include "skein/data/traffic/traffic.h"
+#include "skein/data/vehicle/air.h"
+#include "skein/data/vehicle/sensing.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/role/phenomenon.h"
 #include "skein/role/terrain.h"
 

@@ -4,7 +4,7 @@
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
-#include "skein/data/traffic.h"
+#include "skein/data/traffic/traffic.h"
 #include "skein/geo/vec.h"
 
 namespace skein {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "skein/base/time.h"
-#include "skein/data/air.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/air.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein {
 

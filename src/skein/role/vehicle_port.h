@@ -5,8 +5,8 @@
 
 #include "skein/base/result.h"
 #include "skein/base/time.h"
-#include "skein/data/vehicle_report.h"
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_request.h"
 
 namespace skein {
 

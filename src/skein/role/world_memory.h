@@ -5,10 +5,10 @@
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
-#include "skein/data/event.h"
-#include "skein/data/object.h"
-#include "skein/data/payload.h"
-#include "skein/data/record.h"
+#include "skein/data/event/event.h"
+#include "skein/data/event/record.h"
+#include "skein/data/perimeter/object.h"
+#include "skein/data/vehicle/payload.h"
 #include "skein/geo/vec.h"
 
 namespace skein {

@@ -200,8 +200,8 @@ class Fields : public detail::FieldsBase {
     return add_leaf<std::string>(key, member, help, TextType{{}, false, true, false});
   }
 
-  /// A command as an operator gives it (data/command_text.h); a std::string. A file that
-  /// it names starts as with file(), and its path is absolute after reading.
+  /// A command as an operator gives it (data/command/command_text.h); a std::string. A
+  /// file that it names starts as with file(), and its path is absolute after reading.
   template <class Member>
   Fields& order(std::string key, Member member, std::string help) {
     return add_leaf<std::string>(key, member, help, TextType{{}, false, false, true});

@@ -5,7 +5,7 @@
 
 #include <system_error>
 
-#include "skein/data/command_text.h"
+#include "skein/data/command/command_text.h"
 #include "skein/scenario/text.h"
 
 namespace skein::scenario {

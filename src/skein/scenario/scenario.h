@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/object.h"
-#include "skein/data/observation.h"
-#include "skein/data/traffic.h"
+#include "skein/data/perimeter/object.h"
+#include "skein/data/perimeter/observation.h"
+#include "skein/data/traffic/traffic.h"
 #include "skein/geo/local_frame.h"
 #include "skein/geo/polygon.h"
 #include "skein/scenario/choice.h"
@@ -230,7 +230,7 @@ struct Links {
 /// A command that the scenario gives by itself.
 struct PlannedCommand {
   Time at;
-  std::string text;  ///< see data/command_text.h
+  std::string text;  ///< see data/command/command_text.h
 };
 
 /// A run, as its file describes it. Members hold SI units and radians; keys, ranges and

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "skein/data/command_text.h"
+#include "skein/data/command/command_text.h"
 #include "skein/scenario/environment_fields.h"
 #include "skein/scenario/numbers.h"
 #include "skein/scenario/scenario.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
 #include "skein/scenario/scenario.h"
 
 namespace skein::scenario {

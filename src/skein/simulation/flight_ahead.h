@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "skein/base/time.h"
-#include "skein/data/autopilot.h"
-#include "skein/data/flight_path.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/flight_path.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein::simulation {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/object.h"
-#include "skein/data/observation.h"
+#include "skein/data/perimeter/object.h"
+#include "skein/data/perimeter/observation.h"
 #include "skein/role/moving_object.h"
 #include "skein/role/recorder.h"
 #include "skein/simulation/world.h"

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "skein/data/payload.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/payload.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/role/recorder.h"
 
 namespace skein::simulation {

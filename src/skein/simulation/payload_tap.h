@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "skein/data/payload.h"
+#include "skein/data/vehicle/payload.h"
 #include "skein/role/recorder.h"
 
 namespace skein::simulation {

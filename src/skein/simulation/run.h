@@ -4,7 +4,7 @@
 
 #include "skein/base/result.h"
 #include "skein/base/time.h"
-#include "skein/data/command.h"
+#include "skein/data/command/command.h"
 #include "skein/role/operator_console.h"
 #include "skein/role/recorder.h"
 #include "skein/simulation/world.h"

@@ -8,10 +8,10 @@
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
-#include "skein/data/message.h"
-#include "skein/data/separation.h"
-#include "skein/data/separation_loss.h"
-#include "skein/data/task.h"
+#include "skein/data/radio/message.h"
+#include "skein/data/team/task.h"
+#include "skein/data/traffic/separation.h"
+#include "skein/data/traffic/separation_loss.h"
 #include "skein/geo/vec.h"
 
 namespace skein::simulation {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/air.h"
-#include "skein/data/fault.h"
+#include "skein/data/vehicle/air.h"
+#include "skein/data/vehicle/fault.h"
 #include "skein/role/autopilot.h"
 #include "skein/role/fault_schedule.h"
 #include "skein/role/plant.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "skein/base/result.h"
-#include "skein/data/agent_step.h"
+#include "skein/data/vehicle/agent_step.h"
 #include "skein/role/radio.h"
 #include "skein/role/recorder.h"
 #include "skein/role/vehicle.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/traffic.h"
+#include "skein/data/traffic/traffic.h"
 #include "skein/role/recorder.h"
 #include "skein/role/traffic_aircraft.h"
 #include "skein/simulation/world.h"

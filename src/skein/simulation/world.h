@@ -7,10 +7,10 @@
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
-#include "skein/data/object.h"
-#include "skein/data/observation.h"
-#include "skein/data/traffic.h"
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
+#include "skein/data/perimeter/object.h"
+#include "skein/data/perimeter/observation.h"
+#include "skein/data/traffic/traffic.h"
 
 namespace skein {
 class Agent;

@@ -1,6 +1,6 @@
 /** The belief, its 95 % band and the forecasts as features. */
-import type { BoundaryPoint } from "../../report/records";
-import type { World } from "../world";
+import type { BoundaryPoint } from "../../common/records";
+import type { World } from "../../common/world";
 import type { Feature, Ring } from "./features";
 
 const kBand95 = 1.96;

@@ -1,5 +1,5 @@
 /** GeoJSON (RFC 7946), KML (2.2) and .plan of QGroundControl: written here, read by the server. */
-import type { Frame } from "../frames";
+import type { Frame } from "../../common/frames";
 import type { Circle, Feature, Purpose, Ring } from "./features";
 
 type Position = [number, number, ...number[]];

@@ -2,7 +2,7 @@
 import { TerraDraw, TerraDrawCircleMode, TerraDrawLineStringMode, TerraDrawModeUndoRedo, TerraDrawPointMode, TerraDrawPolygonMode, TerraDrawSelectMode,
   TerraDrawSessionUndoRedo, type GeoJSONStoreFeatures, type HexColor } from "terra-draw";
 import { TerraDrawMapLibreGLAdapter } from "terra-draw-maplibre-gl-adapter";
-import { onThemeChange, theme } from "../../report/theme";
+import { onThemeChange, theme } from "../../common/theme";
 import type { App } from "../app";
 import type { Circle, Feature, Purpose, Ring } from "../geo/features";
 

@@ -1,9 +1,9 @@
 /** One aircraft: what it does, its state, and what it may be told to do. */
-import { h } from "../../report/dom";
+import { h } from "../../common/dom";
 import type { App } from "../app";
-import { latLonText } from "../frames";
-import { T } from "../texts";
-import { button, Facts, icon, iconButton, option, setText } from "../ui";
+import { latLonText } from "../../common/frames";
+import { T } from "../../common/texts";
+import { button, Facts, icon, iconButton, option, setText } from "../../common/ui";
 import { FlightChangeForm } from "./flight_change";
 import { TaskFormView } from "./task_form";
 

@@ -1,9 +1,9 @@
 /** Events with filters, and what became of the commands that were given here. */
-import { clock, h } from "../../report/dom";
+import { clock, h } from "../../common/dom";
 import type { App } from "../app";
-import { T } from "../texts";
-import { option, setText } from "../ui";
-import type { KeptEvent } from "../world";
+import { T } from "../../common/texts";
+import { option, setText } from "../../common/ui";
+import type { KeptEvent } from "../../common/world";
 import type { Panel } from "./panel";
 
 const kRow = 40, kKinds = 200;

@@ -1,11 +1,11 @@
 /** The fire: what is believed of it and how sure that is, where it will be, when it comes. */
-import { clock, h } from "../../report/dom";
-import type { BoundaryPoint } from "../../report/records";
+import { clock, h } from "../../common/dom";
+import type { BoundaryPoint } from "../../common/records";
 import type { App } from "../app";
 import { fireFeatures } from "../geo/export_fire";
 import { saveGeoJson, saveKml } from "../geo/files";
-import { T } from "../texts";
-import { button, Facts, setText } from "../ui";
+import { T } from "../../common/texts";
+import { button, Facts, setText } from "../../common/ui";
 import type { Panel } from "./panel";
 
 /** Area and length of rings; holes count against the area. */

@@ -1,8 +1,8 @@
 /** All aircraft: what each does, its battery, when it was heard of. Only the rows that are seen exist. */
-import { h } from "../../report/dom";
+import { h } from "../../common/dom";
 import type { App } from "../app";
-import { T } from "../texts";
-import { option, setText } from "../ui";
+import { T } from "../../common/texts";
+import { option, setText } from "../../common/ui";
 import { AircraftDetail } from "./aircraft";
 import type { Panel } from "./panel";
 

@@ -1,8 +1,8 @@
 /** How high and how fast the chosen aircraft fly what they were given, from now on. */
-import { h } from "../../report/dom";
+import { h } from "../../common/dom";
 import type { App } from "../app";
-import { T } from "../texts";
-import { button, labelledField, setText } from "../ui";
+import { T } from "../../common/texts";
+import { button, labelledField, setText } from "../../common/ui";
 
 export class FlightChangeForm {
   readonly element = h("form", { class: "task-form", hidden: true, onsubmit: (event) => { event.preventDefault(); this.send(); } });

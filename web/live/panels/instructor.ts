@@ -1,8 +1,8 @@
 /** What only the instructor does: faults, wind, truth, who flies, time, training. */
-import { h } from "../../report/dom";
+import { h } from "../../common/dom";
 import type { App } from "../app";
-import { T } from "../texts";
-import { button, labelledField, option } from "../ui";
+import { T } from "../../common/texts";
+import { button, labelledField, option } from "../../common/ui";
 import type { Panel } from "./panel";
 
 export class InstructorPanel implements Panel {

@@ -1,10 +1,10 @@
 /** How well the radios hear each other: a graph, a matrix, the weakest links. */
-import { h, number } from "../../report/dom";
-import { theme } from "../../report/theme";
+import { h, number } from "../../common/dom";
+import { theme } from "../../common/theme";
 import type { App } from "../app";
-import { T } from "../texts";
-import { setText } from "../ui";
-import type { Link } from "../world";
+import { T } from "../../common/texts";
+import { setText } from "../../common/ui";
+import type { Link } from "../../common/world";
 import type { Panel } from "./panel";
 
 const kMost = 16; // entities of the picture

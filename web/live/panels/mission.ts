@@ -1,11 +1,11 @@
 /** Missions, proposals that wait for approval, no-fly zones, drawings. */
-import { clock, h } from "../../report/dom";
-import type { ZoneRecord } from "../../report/records";
+import { clock, h } from "../../common/dom";
+import type { ZoneRecord } from "../../common/records";
 import type { App } from "../app";
 import { kMaxFile, leftOutOfPlan, readFeatures, saveGeoJson, saveKml, savePlan } from "../geo/files";
 import type { DrawMode } from "../map/drawing";
-import { T } from "../texts";
-import { button, iconButton, labelledField, setText } from "../ui";
+import { T } from "../../common/texts";
+import { button, iconButton, labelledField, setText } from "../../common/ui";
 import type { Panel } from "./panel";
 
 const kModes: DrawMode[] = ["select", "point", "linestring", "polygon", "circle"];

@@ -1,10 +1,10 @@
 /** Live plots: how well the missions do, and one aircraft over the last minutes. */
-import { h, number } from "../../report/dom";
-import { chart, type Chart, type Line } from "../../report/chart";
+import { h, number } from "../../common/dom";
+import { chart, type Chart, type Line } from "../../common/chart";
 import type { App } from "../app";
-import { T } from "../texts";
-import { option, setText } from "../ui";
-import type { Series } from "../world";
+import { T } from "../../common/texts";
+import { option, setText } from "../../common/ui";
+import type { Series } from "../../common/world";
 import type { Panel } from "./panel";
 
 const kEvery = 1; // [s]

@@ -1,9 +1,9 @@
 /** A form for any kind of task, made from its description: a plugin's kind has one too. */
-import { clock, h } from "../../report/dom";
+import { clock, h } from "../../common/dom";
 import type { App } from "../app";
-import type { TaskField, TaskForm } from "../protocol";
-import { T } from "../texts";
-import { button, labelledField, option, setText } from "../ui";
+import type { TaskField, TaskForm } from "../../common/protocol";
+import { T } from "../../common/texts";
+import { button, labelledField, option, setText } from "../../common/ui";
 
 interface Input {
   field: TaskField;

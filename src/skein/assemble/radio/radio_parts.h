@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "skein/assemble/kinds.h"
+#include "skein/assemble/kinds/kinds.h"
 #include "skein/layer/communication/antenna/antenna_profile.h"
 #include "skein/layer/communication/propagation/propagation_profile.h"
 #include "skein/role/antenna.h"

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <set>
 
-#include "skein/assemble/build.h"
-#include "skein/assemble/kinds_of.h"
-#include "skein/assemble/parameter_spread.h"
-#include "skein/assemble/sampling.h"
+#include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/kinds/parameter_spread.h"
+#include "skein/assemble/kinds/sampling.h"
+#include "skein/assemble/world/build.h"
 #include "skein/layer/asset/fixed_wing/fixed_wing_plant.h"
 #include "skein/scenario/scenario_file.h"
 #include "skein/simulation/simulated_vehicle.h"

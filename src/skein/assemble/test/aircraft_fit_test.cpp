@@ -1,9 +1,9 @@
-#include "skein/assemble/aircraft_fit.h"
+#include "skein/assemble/kinds/aircraft_fit.h"
 
 #include <gtest/gtest.h>
 
-#include "skein/assemble/build.h"
-#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/world/build.h"
 #include "skein/layer/asset/multirotor/multirotor_plant.h"
 #include "skein/layer/sensory/ideal_navigation.h"
 #include "skein/scenario/scenario_file.h"

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "skein/assemble/test/whole_flight.h"
-#include "skein/exchange/formats.h"
-#include "skein/exchange/plan_reading.h"
+#include "skein/exchange/plan/plan_reading.h"
+#include "skein/exchange/table/formats.h"
 #include "skein/model/connection/airplane.h"
 #include "skein/model/path/flight_plan.h"
 

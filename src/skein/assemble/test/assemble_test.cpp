@@ -3,11 +3,11 @@
 #include <fstream>
 #include <regex>
 
-#include "skein/assemble/build.h"
-#include "skein/assemble/kinds_of.h"
-#include "skein/assemble/placement.h"
-#include "skein/assemble/presence.h"
-#include "skein/assemble/run.h"
+#include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/world/build.h"
+#include "skein/assemble/world/placement.h"
+#include "skein/assemble/world/presence.h"
+#include "skein/assemble/world/run.h"
 #include "skein/scenario/scenario_file.h"
 #include "skein/simulation/simulated_vehicle.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/assemble/build.h"
+#include "skein/assemble/world/build.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
 #include "skein/role/contract/contract.h"
 #include "skein/role/vehicle.h"

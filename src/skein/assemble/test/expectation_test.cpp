@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "skein/assemble/kinds_of.h"
-#include "skein/assemble/run.h"
+#include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/world/run.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble::expectation_test {

@@ -17,13 +17,13 @@
 #include <vector>
 
 #include "skein/assemble/aircraft/aircraft_file.h"
-#include "skein/assemble/build.h"
-#include "skein/assemble/run.h"
-#include "skein/data/air.h"
+#include "skein/assemble/world/build.h"
+#include "skein/assemble/world/run.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/geo/local_frame.h"
 #include "skein/layer/asset/fixed_wing/fixed_wing_plant.h"
-#include "skein/record/fan_out.h"
-#include "skein/record/summary_recorder.h"
+#include "skein/record/store/fan_out.h"
+#include "skein/record/store/summary_recorder.h"
 #include "skein/role/vehicle.h"
 #include "skein/scenario/scenario_file.h"
 

@@ -8,8 +8,8 @@
 #include <map>
 #include <vector>
 
-#include "skein/assemble/kinds_of.h"
-#include "skein/assemble/run.h"
+#include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/world/run.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble::flight_path_run_test {

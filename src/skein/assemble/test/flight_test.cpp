@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "skein/assemble/test/whole_flight.h"
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/model/path/path_cursor.h"
 #include "skein/model/path/wind_triangle.h"
 

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "skein/assemble/kinds_of.h"
-#include "skein/assemble/run.h"
+#include "skein/assemble/kinds/kinds_of.h"
 #include "skein/assemble/test/whole_flight.h"
-#include "skein/campaign/ground_starts_study.h"
+#include "skein/assemble/world/run.h"
+#include "skein/campaign/ground_starts/ground_starts_study.h"
 
 namespace skein::assemble::ground_start_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "skein/assemble/kind_registry.h"
+#include "skein/assemble/kinds/kind_registry.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "skein/assemble/build.h"
 #include "skein/assemble/interface_version.h"
-#include "skein/assemble/load_plugin.h"
+#include "skein/assemble/kinds/load_plugin.h"
 #include "skein/assemble/radio/radio_file.h"
+#include "skein/assemble/world/build.h"
 #include "skein/role/propagation.h"
 #include "skein/role/radio.h"
 #include "skein/role/routing.h"

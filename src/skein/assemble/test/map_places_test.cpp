@@ -1,4 +1,4 @@
-#include "skein/assemble/map_places.h"
+#include "skein/assemble/kinds/map_places.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

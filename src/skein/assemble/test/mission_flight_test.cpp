@@ -8,7 +8,7 @@
 
 #include "skein/assemble/test/whole_flight.h"
 #include "skein/base/random.h"
-#include "skein/record/object_track.h"
+#include "skein/record/figures/object_track.h"
 
 namespace skein::assemble::mission_flight_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "skein/assemble/build.h"
+#include "skein/assemble/world/build.h"
 #include "skein/link/vehicle_links/test/stand_ins.h"
 #include "skein/link/vehicle_links/vehicle_feed.h"
 #include "skein/role/operator_console.h"

@@ -1,4 +1,4 @@
-#include "skein/assemble/modem_setup.h"
+#include "skein/assemble/kinds/modem_setup.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,8 +9,8 @@
 #include <functional>
 #include <thread>
 
-#include "skein/assemble/build.h"
-#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/world/build.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble::modem_setup_test {

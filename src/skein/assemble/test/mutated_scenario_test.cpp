@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/kinds/kinds_of.h"
 #include "skein/base/random.h"
 #include "skein/scenario/parse.h"
 #include "skein/scenario/scenario_file.h"

@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
-#include "skein/assemble/kinds_of.h"
-#include "skein/assemble/run.h"
-#include "skein/data/record.h"
+#include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/world/run.h"
+#include "skein/data/event/record.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble::radio_run_test {

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <string>
 
-#include "skein/assemble/build.h"
-#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/world/build.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble::radio_security_test {

@@ -1,4 +1,4 @@
-#include "skein/assemble/recorded_scenario.h"
+#include "skein/assemble/world/recorded_scenario.h"
 
 #include <gtest/gtest.h>
 

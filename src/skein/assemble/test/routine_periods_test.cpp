@@ -1,10 +1,10 @@
-#include "skein/assemble/routine_periods.h"
+#include "skein/assemble/kinds/routine_periods.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/kinds/kinds_of.h"
 #include "skein/assemble/radio/radio_parts.h"
 #include "skein/scenario/scenario_file.h"
 

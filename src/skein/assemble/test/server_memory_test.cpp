@@ -1,8 +1,8 @@
-#include "skein/assemble/server_memory.h"
+#include "skein/assemble/world/server_memory.h"
 
 #include <gtest/gtest.h>
 
-#include "skein/assemble/kind_registry.h"
+#include "skein/assemble/kinds/kind_registry.h"
 #include "skein/scenario/kind_table.h"
 
 namespace skein::assemble::server_memory_test {

@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "skein/assemble/task_kinds.h"
+#include "skein/assemble/kinds/task_kinds.h"
 #include "skein/base/random.h"
 #include "skein/layer/reasoning/agent/onboard_agent.h"
-#include "skein/layer/reasoning/planning/search/aa_star.h"
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 #include "skein/model/connection/connection.h"
+#include "skein/solve/path/aa_star.h"
 
 namespace skein::assemble::task_walk_test {
 namespace {
@@ -222,7 +222,7 @@ class Walk {
   reasoning::test::FlatGround ground_;
   reasoning::test::TestAircraft aircraft_;
   FlightContext context_{kSelf, FlightLimits{}, &ground_,
-                         std::make_shared<planning::AaStar>(), 120};
+                         std::make_shared<solve::AaStar>(), 120};
   OnboardAgent agent_;
   std::vector<Message> inbox_;
   std::vector<std::string> zones_;

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "skein/assemble/test/whole_flight.h"
-#include "skein/exchange/well_clear_json.h"
+#include "skein/exchange/traffic/well_clear_json.h"
 
 namespace skein::assemble::traffic_flight_test {
 namespace {

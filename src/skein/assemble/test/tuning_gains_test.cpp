@@ -1,12 +1,12 @@
-#include "skein/assemble/tuning_gains.h"
+#include "skein/assemble/kinds/tuning_gains.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <fstream>
 
-#include "skein/assemble/build.h"
-#include "skein/assemble/kinds_of.h"
+#include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/world/build.h"
 #include "skein/scenario/scenario_file.h"
 
 namespace skein::assemble::tuning_gains_test {

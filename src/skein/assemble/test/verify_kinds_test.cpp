@@ -1,5 +1,5 @@
 // Every kind keeps the contract of its role.
-#include "skein/assemble/verify_kinds.h"
+#include "skein/assemble/world/verify_kinds.h"
 
 #include <gtest/gtest.h>
 

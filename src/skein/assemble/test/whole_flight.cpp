@@ -4,9 +4,9 @@
 #include <utility>
 #include <variant>
 
-#include "skein/assemble/build.h"
-#include "skein/record/content_hash.h"
-#include "skein/record/statistics.h"
+#include "skein/assemble/world/build.h"
+#include "skein/record/figures/statistics.h"
+#include "skein/record/store/content_hash.h"
 #include "skein/role/agent.h"
 #include "skein/role/operator_console.h"
 #include "skein/role/vehicle.h"

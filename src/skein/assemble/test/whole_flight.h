@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/autopilot.h"
-#include "skein/data/event.h"
-#include "skein/data/record.h"
-#include "skein/data/sensing.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/event/event.h"
+#include "skein/data/event/record.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/sensing.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/geo/rotation.h"
 #include "skein/role/recorder.h"
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "skein/assemble/test/whole_flight.h"
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
 
 namespace skein::assemble::zone_flight_test {
 namespace {

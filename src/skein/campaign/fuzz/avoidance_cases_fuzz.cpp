@@ -5,7 +5,7 @@
 #include <string>
 
 #include "skein/base/check.h"
-#include "skein/campaign/avoidance_cases.h"
+#include "skein/campaign/avoidance/avoidance_cases.h"
 
 // Any text either gives cases that can be flown or says what is wrong with it.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "skein/base/check.h"
-#include "skein/campaign/campaign_file.h"
+#include "skein/campaign/campaign/campaign_file.h"
 
 // Any text either is a campaign or gets at least one problem.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

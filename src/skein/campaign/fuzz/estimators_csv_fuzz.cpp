@@ -4,7 +4,7 @@
 #include <string>
 
 #include "skein/base/check.h"
-#include "skein/campaign/estimators_csv.h"
+#include "skein/campaign/estimators/estimators_csv.h"
 
 // Any text either gives results or says what is wrong with it. The first byte chooses the
 // command, so that one corpus serves both.

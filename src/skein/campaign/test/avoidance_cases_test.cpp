@@ -1,11 +1,11 @@
-#include "skein/campaign/avoidance_cases.h"
+#include "skein/campaign/avoidance/avoidance_cases.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <sstream>
 
-#include "skein/campaign/avoidance_watch.h"
+#include "skein/campaign/avoidance/avoidance_watch.h"
 
 namespace skein::campaign::avoidance_cases_test {
 namespace {

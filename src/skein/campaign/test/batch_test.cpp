@@ -1,4 +1,4 @@
-#include "skein/campaign/batch.h"
+#include "skein/campaign/batch/batch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "skein/campaign/campaign.h"
+#include "skein/campaign/campaign/campaign.h"
 
 #include <gtest/gtest.h>
 

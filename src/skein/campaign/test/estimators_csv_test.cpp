@@ -1,4 +1,4 @@
-#include "skein/campaign/estimators_csv.h"
+#include "skein/campaign/estimators/estimators_csv.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "skein/campaign/estimators_study.h"
+#include "skein/campaign/estimators/estimators_study.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "skein/base/check.h"
-#include "skein/campaign/estimators_report.h"
+#include "skein/campaign/estimators/estimators_report.h"
 
 namespace skein::campaign::estimators_study_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "skein/campaign/following_study.h"
+#include "skein/campaign/following/following_study.h"
 
 #include <gtest/gtest.h>
 

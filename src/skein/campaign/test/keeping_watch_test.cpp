@@ -1,4 +1,4 @@
-#include "skein/campaign/keeping_watch.h"
+#include "skein/campaign/keeping/keeping_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "skein/campaign/lap_recorder.h"
+#include "skein/campaign/batch/lap_recorder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "skein/campaign/network_study.h"
+#include "skein/campaign/network/network_study.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "skein/campaign/network_reference.h"
-#include "skein/campaign/network_report.h"
+#include "skein/campaign/network/network_reference.h"
+#include "skein/campaign/network/network_report.h"
 
 namespace skein::campaign::network_study_test {
 namespace {

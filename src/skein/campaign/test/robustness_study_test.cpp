@@ -1,4 +1,4 @@
-#include "skein/campaign/robustness_study.h"
+#include "skein/campaign/robustness/robustness_study.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "skein/campaign/simplex_search.h"
+#include "skein/campaign/tuning/simplex_search.h"
 
 #include <gtest/gtest.h>
 

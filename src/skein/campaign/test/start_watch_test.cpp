@@ -1,4 +1,4 @@
-#include "skein/campaign/start_watch.h"
+#include "skein/campaign/ground_starts/start_watch.h"
 
 #include <gtest/gtest.h>
 

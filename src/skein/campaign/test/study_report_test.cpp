@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "skein/campaign/bridge_study.h"
-#include "skein/campaign/data_fingerprint.h"
-#include "skein/campaign/monitoring_report.h"
+#include "skein/campaign/batch/data_fingerprint.h"
+#include "skein/campaign/bridge/bridge_study.h"
+#include "skein/campaign/monitoring/monitoring_report.h"
 
 namespace skein::campaign::study_report_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "skein/campaign/study_summary.h"
+#include "skein/campaign/batch/study_summary.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "skein/campaign/tuning_study.h"
+#include "skein/campaign/tuning/tuning_study.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "skein/campaign/tuning_report.h"
+#include "skein/campaign/tuning/tuning_report.h"
 
 namespace skein::campaign::tuning_study_test {
 namespace {

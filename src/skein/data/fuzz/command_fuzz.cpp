@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "skein/base/check.h"
-#include "skein/data/command_text.h"
-#include "skein/data/json.h"
-#include "skein/data/wire.h"
+#include "skein/data/command/command_text.h"
+#include "skein/data/describe/json.h"
+#include "skein/data/describe/wire.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto command =

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "skein/base/check.h"
-#include "skein/data/record.h"
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
+#include "skein/data/event/record.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto record =

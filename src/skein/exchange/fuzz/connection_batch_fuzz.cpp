@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "skein/exchange/connection_batch.h"
+#include "skein/exchange/plan/connection_batch.h"
 
 // Any bytes: no crash, as many rows as were counted, the same whether cut or not.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

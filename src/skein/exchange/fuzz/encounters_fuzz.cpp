@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "skein/exchange/detection_tables.h"
+#include "skein/exchange/traffic/detection_tables.h"
 
 // Any bytes: no crash, an error says something, and what is accepted is finite and gives
 // an answer.

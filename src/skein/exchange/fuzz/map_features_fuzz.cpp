@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/exchange/zones.h"
+#include "skein/exchange/gis/zones.h"
 
 // Any bytes as GeoJSON, as KML and as what a page sends (.plan too): no crash, and what
 // is accepted is finite and sane.

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "skein/exchange/network_tables.h"
+#include "skein/exchange/network/network_tables.h"
 
 // Any bytes: no crash, an error says something, and what is accepted has its nodes in
 // order and only finite places.

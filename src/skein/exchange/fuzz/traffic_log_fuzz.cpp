@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "skein/exchange/traffic_log.h"
+#include "skein/exchange/traffic/traffic_log.h"
 
 // Any bytes: no crash; what is accepted is finite, in order and not empty, what is not
 // has a message.

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "skein/exchange/well_clear_json.h"
+#include "skein/exchange/traffic/well_clear_json.h"
 #include "skein/model/well_clear/bands.h"
 
 // Any bytes: no crash, an error says something, and what is accepted is the same when it

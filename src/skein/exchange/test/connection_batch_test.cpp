@@ -1,4 +1,4 @@
-#include "skein/exchange/connection_batch.h"
+#include "skein/exchange/plan/connection_batch.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "skein/base/random.h"
-#include "skein/exchange/csv_cells.h"
+#include "skein/exchange/table/csv_cells.h"
 #include "skein/geo/vec.h"
 #include "skein/model/connection/connection.h"
 #include "skein/model/path/flight_plan.h"

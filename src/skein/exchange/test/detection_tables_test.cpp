@@ -1,4 +1,4 @@
-#include "skein/exchange/detection_tables.h"
+#include "skein/exchange/traffic/detection_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "skein/exchange/encounters.h"
+#include "skein/exchange/traffic/encounters.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "skein/exchange/gis_writing.h"
+#include "skein/exchange/gis/gis_writing.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "skein/exchange/map_features.h"
+#include "skein/exchange/gis/map_features.h"
 
 namespace skein::exchange::gis_writing_test {
 namespace {

@@ -1,10 +1,10 @@
-#include "skein/exchange/ground_plan.h"
+#include "skein/exchange/gis/ground_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "skein/exchange/zones.h"
+#include "skein/exchange/gis/zones.h"
 
 namespace skein::exchange::ground_plan_test {
 namespace {

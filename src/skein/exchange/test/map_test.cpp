@@ -6,8 +6,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "skein/exchange/writers.h"
-#include "skein/exchange/zones.h"
+#include "skein/exchange/gis/zones.h"
+#include "skein/exchange/table/writers.h"
 
 namespace skein::exchange::map_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "skein/exchange/network_results.h"
+#include "skein/exchange/network/network_results.h"
 
 #include <gtest/gtest.h>
 

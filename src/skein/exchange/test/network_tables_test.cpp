@@ -1,4 +1,4 @@
-#include "skein/exchange/network_tables.h"
+#include "skein/exchange/network/network_tables.h"
 
 #include <gtest/gtest.h>
 

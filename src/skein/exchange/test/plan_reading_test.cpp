@@ -1,8 +1,8 @@
-#include "skein/exchange/plan_reading.h"
+#include "skein/exchange/plan/plan_reading.h"
 
 #include <gtest/gtest.h>
 
-#include "skein/exchange/formats.h"
+#include "skein/exchange/table/formats.h"
 #include "skein/model/connection/connection.h"
 #include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"

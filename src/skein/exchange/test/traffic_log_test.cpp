@@ -1,4 +1,4 @@
-#include "skein/exchange/traffic_log.h"
+#include "skein/exchange/traffic/traffic_log.h"
 
 #include <gtest/gtest.h>
 

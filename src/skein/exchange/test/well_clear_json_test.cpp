@@ -1,4 +1,4 @@
-#include "skein/exchange/well_clear_json.h"
+#include "skein/exchange/traffic/well_clear_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the writers write, read by others' readers: GDAL, nlohmann-json.
-#include "skein/exchange/writers.h"
+#include "skein/exchange/table/writers.h"
 
 #include <cpl_vsi.h>
 #include <gdal.h>
@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "skein/exchange/csv_cells.h"
-#include "skein/exchange/samples.h"
-#include "skein/exchange/text_shown.h"
+#include "skein/exchange/plan/samples.h"
+#include "skein/exchange/table/csv_cells.h"
+#include "skein/exchange/table/text_shown.h"
 #include "skein/model/connection/connection.h"
 
 namespace skein::exchange::writers_test {

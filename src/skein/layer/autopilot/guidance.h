@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/data/autopilot.h"
+#include "skein/data/vehicle/autopilot.h"
 
 namespace skein::autopilot {
 

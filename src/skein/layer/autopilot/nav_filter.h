@@ -1,7 +1,7 @@
 #pragma once
 
-#include "skein/data/sensing.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/sensing.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein::autopilot {
 

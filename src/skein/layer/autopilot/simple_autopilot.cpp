@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "skein/base/math.h"
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/autopilot/guidance/same_guidance.h"
 #include "skein/layer/autopilot/guidance/unflyable.h"
 #include "skein/model/path/wind_triangle.h"

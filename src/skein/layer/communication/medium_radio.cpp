@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "skein/base/check.h"
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
 #include "skein/layer/communication/routing/no_routing.h"
 
 namespace skein::communication {

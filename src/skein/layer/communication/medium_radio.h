@@ -51,10 +51,10 @@ struct RadioNodes {
 /// retries.
 ///
 /// A message to all is one frame; a message to one is acknowledged and repeated. Messages
-/// are as long as their wire form (data/wire.h) and go in parts when a frame cannot hold
-/// them (MacProfile::part_bytes), with 4 bytes more each; all parts must arrive. Urgent
-/// ones go first (urgency_of). What happens between two calls of deliver() happens where
-/// nodes are at the second.
+/// are as long as their wire form (data/describe/wire.h) and go in parts when a frame
+/// cannot hold them (MacProfile::part_bytes), with 4 bytes more each; all parts must
+/// arrive. Urgent ones go first (urgency_of). What happens between two calls of deliver()
+/// happens where nodes are at the second.
 ///
 /// Whoever gets a message that is not for him alone passes it on once, if the routing
 /// (role/routing.h) says so and to whom. What a radio on the way does not acknowledge

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "skein/data/radio.h"
+#include "skein/data/radio/radio.h"
 #include "skein/layer/communication/medium/frame.h"
 #include "skein/layer/communication/medium/medium_listener.h"
 #include "skein/layer/communication/medium/radio_profile.h"

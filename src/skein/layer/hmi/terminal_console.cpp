@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "skein/base/shown_text.h"
-#include "skein/data/command_text.h"
+#include "skein/data/command/command_text.h"
 
 namespace skein::hmi {
 namespace {

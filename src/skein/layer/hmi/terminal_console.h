@@ -20,8 +20,8 @@ std::string progress_line(const RunProgress& progress, int width);
 
 /// Shows a run's progress in one line of a terminal, redrawn in place. When the output is
 /// no terminal it stays silent. Alerts stay above it as lines of their own. Reads
-/// commands of the operator (data/command_text.h) line by line, when it is given an
-/// input; what is wrong with one is reported at once.
+/// commands of the operator (data/command/command_text.h) line by line, when it is given
+/// an input; what is wrong with one is reported at once.
 ///
 /// Thread safety: used by one thread; only `stop` may be set from others or from a signal
 /// handler (the atomic must then be lock-free, as it is on every supported machine).

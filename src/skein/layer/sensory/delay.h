@@ -7,7 +7,7 @@
 
 #include "skein/base/check.h"
 #include "skein/base/time.h"
-#include "skein/data/sensing.h"
+#include "skein/data/vehicle/sensing.h"
 
 namespace skein::sensory {
 

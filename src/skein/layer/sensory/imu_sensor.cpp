@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/sensory/gauss_markov.h"
 
 namespace skein::sensory {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "skein/data/pilot.h"
+#include "skein/data/vehicle/pilot.h"
 #include "skein/layer/sensory/sample_clock.h"
 #include "skein/role/sensor.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/geo/local_frame.h"
 #include "skein/link/autopilot_client/clock_alignment.h"
 #include "skein/link/autopilot_client/command_sender.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/link/mavlink/constants.h"
 #include "skein/link/mavlink/messages.h"
 #include "skein/link/vehicle_services/outbox.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/vehicle_request.h"
 #include "skein/geo/local_frame.h"
 #include "skein/link/autopilot_client/command_sender.h"
 #include "skein/link/mavlink/flight_modes.h"

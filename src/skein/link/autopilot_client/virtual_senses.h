@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/vehicle_request.h"
 #include "skein/geo/local_frame.h"
 #include "skein/link/mavlink/messages.h"
 

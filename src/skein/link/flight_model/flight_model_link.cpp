@@ -78,7 +78,7 @@ std::unique_ptr<Protocol> x_plane() {
 
 FlightModelLink::FlightModelLink(FlightModelOptions options, const geo::LocalFrame& frame,
                                  std::unique_ptr<Protocol> protocol,
-                                 std::optional<child_process::KeptProgram> program)
+                                 std::optional<process::KeptProgram> program)
     : options_(std::move(options)),
       follower_(frame),
       protocol_(std::move(protocol)),

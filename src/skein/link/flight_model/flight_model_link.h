@@ -59,7 +59,7 @@ class FlightModelLink final : public FlightModel, private transport::ChannelList
   /// @param program  none: somebody else starts it.
   FlightModelLink(FlightModelOptions options, const geo::LocalFrame& frame,
                   std::unique_ptr<Protocol> protocol,
-                  std::optional<child_process::KeptProgram> program);
+                  std::optional<process::KeptProgram> program);
   /// Ends the thread, and its program, in order if that ends within a moment.
   ~FlightModelLink() override;
 
@@ -92,7 +92,7 @@ class FlightModelLink final : public FlightModel, private transport::ChannelList
   FlightModelOptions options_;
   StateFollower follower_;
   std::unique_ptr<Protocol> protocol_;
-  std::optional<child_process::KeptProgram> program_;
+  std::optional<process::KeptProgram> program_;
   std::vector<std::string> places_;
 
   // Of the thread.

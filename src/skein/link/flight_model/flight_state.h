@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "skein/base/result.h"
-#include "skein/data/control.h"
+#include "skein/data/vehicle/control.h"
 #include "skein/geo/local_frame.h"
 #include "skein/geo/rotation.h"
 #include "skein/geo/vec.h"
@@ -39,8 +39,8 @@ struct FlightControls {
   std::optional<Vec3> wind_N;  ///< that the program's air is to have [m/s]
 };
 
-/// Actuators of a fixed wing (data/control.h) as controls; bounded, what is not finite
-/// counts as 0.
+/// Actuators of a fixed wing (data/vehicle/control.h) as controls; bounded, what is not
+/// finite counts as 0.
 FlightControls controls_of(const Actuators& actuators);
 
 }  // namespace skein::flight_model

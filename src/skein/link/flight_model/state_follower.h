@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/geo/local_frame.h"
 #include "skein/link/flight_model/flight_state.h"
 

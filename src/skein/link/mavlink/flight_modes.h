@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/vehicle_request.h"
 
 /// What the numbers of modes in HEARTBEAT mean, which depends on the make of autopilot
 /// and on the airframe. Facts of ArduPilot 4.5 and PX4 1.14.

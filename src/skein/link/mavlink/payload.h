@@ -10,8 +10,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include "skein/data/describe.h"
-#include "skein/data/type_traits.h"
+#include "skein/data/describe/describe.h"
+#include "skein/data/describe/type_traits.h"
 #include "skein/link/mavlink/facts.h"
 
 /// Messages as they lie in a frame: little-endian, base fields by falling size of their

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "skein/data/walk.h"
-#include "skein/data/wire.h"
+#include "skein/data/describe/walk.h"
+#include "skein/data/describe/wire.h"
 
 namespace skein::modem {
 namespace {

@@ -11,18 +11,10 @@
 #include "skein/base/id.h"
 #include "skein/base/result.h"
 #include "skein/base/time.h"
-#include "skein/data/describe.h"
-#include "skein/data/message.h"
+#include "skein/data/describe/describe.h"
+#include "skein/data/radio/message.h"
 
 // What goes over a radio modem. Times are of the origin's clock.
-
-namespace skein {
-
-constexpr auto names_of(const Urgency*) {
-  return std::to_array<std::string_view>({"report", "command", "safety"});
-}
-
-}  // namespace skein
 
 namespace skein::modem {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "skein/base/log.h"
-#include "skein/data/walk.h"
+#include "skein/data/describe/walk.h"
 
 namespace skein::modem {
 namespace {

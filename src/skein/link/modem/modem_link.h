@@ -13,7 +13,7 @@
 #include "skein/base/id.h"
 #include "skein/base/result.h"
 #include "skein/base/time.h"
-#include "skein/data/message.h"
+#include "skein/data/radio/message.h"
 #include "skein/link/modem/alerts.h"
 #include "skein/link/modem/modem_peer.h"
 #include "skein/link/modem/stream_frames.h"

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "skein/base/check.h"
-#include "skein/data/walk.h"
-#include "skein/data/wire.h"
+#include "skein/data/describe/walk.h"
+#include "skein/data/describe/wire.h"
 
 namespace skein::modem {
 namespace {

@@ -11,7 +11,7 @@
 #include "skein/base/id.h"
 #include "skein/base/random.h"
 #include "skein/base/time.h"
-#include "skein/data/message.h"
+#include "skein/data/radio/message.h"
 #include "skein/link/autopilot_client/clock_alignment.h"
 #include "skein/link/modem/alerts.h"
 #include "skein/link/modem/datagram.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/message.h"
+#include "skein/data/radio/message.h"
 #include "skein/link/modem/datagram.h"
 
 namespace skein::modem {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 std::chrono::nanoseconds AnswerWatch::allowed(double dt, Clock::time_point now) {
   if (contact_) return patience_.contact;
@@ -42,4 +42,4 @@ void AnswerWatch::renew() {
   if (state_ == State::kAnswers) state_ = State::kSilent;
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_report.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// How long a plant waits for its outside autopilot.
 struct Patience {
@@ -48,4 +48,4 @@ class AnswerWatch {
   Clock::time_point pace_;  // when the next step is due that nobody answers
 };
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

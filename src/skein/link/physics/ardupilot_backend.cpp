@@ -12,7 +12,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace skein::physics_link {
+namespace skein::physics {
 namespace {
 
 using namespace std::chrono_literals;
@@ -164,4 +164,4 @@ bool ArduPilotBackend::send_answer() const {
                   any_address(to), sizeof to) == static_cast<ssize_t>(answer_.size());
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -11,7 +11,7 @@
 #include "skein/base/result.h"
 #include "skein/link/physics/ardupilot_json.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// Where instance n of SITL looks for its physics: 9002 + 10 n.
 constexpr std::uint16_t ardupilot_port(int instance) {
@@ -116,4 +116,4 @@ class ArduPilotBackend {
   BackendCounts counts_;
 };
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

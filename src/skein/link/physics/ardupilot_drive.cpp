@@ -8,7 +8,7 @@
 #include "skein/base/log.h"
 #include "skein/base/math.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 namespace {
 
 using namespace std::chrono_literals;
@@ -157,4 +157,4 @@ std::vector<double> ArduPilotDrive::outputs_of(const ServoFrame& frame,
   return outputs;
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

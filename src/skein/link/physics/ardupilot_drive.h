@@ -16,7 +16,7 @@
 #include "skein/link/physics/driving_program.h"
 #include "skein/role/autopilot_drive.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// The run's time as a lock-step drive has it, for others of its vehicle [ns].
 using DriveClock = std::shared_ptr<std::atomic<std::int64_t>>;
@@ -83,4 +83,4 @@ class ArduPilotDrive final : public AutopilotDrive {
   std::vector<OutsideEvent> events_;
 };
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

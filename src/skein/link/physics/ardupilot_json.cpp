@@ -7,7 +7,7 @@
 #include <cstring>
 #include <iterator>
 
-namespace skein::physics_link {
+namespace skein::physics {
 namespace {
 
 constexpr std::uint16_t kMagic16 = 18'458, kMagic32 = 29'569;
@@ -128,4 +128,4 @@ ServoStep ServoFollower::take(std::uint32_t frame_count) {
   return goes_on ? ServoStep::kNext : ServoStep::kBegin;
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

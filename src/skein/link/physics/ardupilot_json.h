@@ -15,7 +15,7 @@
 /// What ArduPilot's simulator (SITL, model "JSON") exchanges with the program that moves
 /// the aircraft: datagrams with pulse widths come, lines of text go back. One step of the
 /// autopilot each; it waits for the answer.
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// What the autopilot commands its servos and motors.
 struct ServoFrame {
@@ -85,4 +85,4 @@ class ServoFollower {
   std::uint64_t missed_ = 0;
 };
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

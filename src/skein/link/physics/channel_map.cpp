@@ -7,9 +7,9 @@
 #include <optional>
 #include <string_view>
 
-#include "skein/data/control.h"
+#include "skein/data/vehicle/control.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 namespace {
 
 constexpr std::size_t kWingChannels = channel::kBrake + 1;
@@ -132,4 +132,4 @@ void ChannelMap::apply(std::span<const double> outputs, std::span<float> channel
   }
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "skein/base/result.h"
-#include "skein/data/airframe.h"
+#include "skein/data/vehicle/airframe.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// Which of a plant's actuators each output of an outside autopilot moves.
 ///
 /// The autopilot's outputs are surfaces from -1 to 1, positive where they roll right,
 /// bring the nose up or the nose right, and motors from 0 to 1. The plant's are those of
-/// data/control.h, whose elevator and rudder have the other sign.
+/// data/vehicle/control.h, whose elevator and rudder have the other sign.
 class ChannelMap {
  public:
   enum class Make : std::uint8_t { kArduPilot, kPx4 };
@@ -56,4 +56,4 @@ class ChannelMap {
   std::size_t channels_ = 0;
 };
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -4,17 +4,16 @@
 #include <optional>
 #include <vector>
 
-#include "skein/data/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/link/process/kept_program.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// The program of an outside autopilot, if it is ours to start, and what is said of it.
 class DrivingProgram {
  public:
   DrivingProgram() = default;
-  explicit DrivingProgram(child_process::KeptProgram program)
-      : program_(std::move(program)) {}
+  explicit DrivingProgram(process::KeptProgram program) : program_(std::move(program)) {}
 
   Result<void> start() { return program_ ? program_->start() : Result<void>(); }
 
@@ -37,7 +36,7 @@ class DrivingProgram {
   }
 
  private:
-  std::optional<child_process::KeptProgram> program_;
+  std::optional<process::KeptProgram> program_;
 };
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -3,7 +3,7 @@
 #include "skein/base/math.h"
 #include "skein/geo/rotation.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 namespace {
 
 // g10, g11, h11 [gauss].
@@ -27,4 +27,4 @@ Vec3 earth_field(double latitude_deg, double longitude_deg,
   return field_N;
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

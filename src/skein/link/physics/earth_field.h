@@ -4,7 +4,7 @@
 
 #include "skein/geo/vec.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// The Earth's magnetic field as that of a dipole at its centre, as it is in 2025.
 ///
@@ -17,4 +17,4 @@ namespace skein::physics_link {
 Vec3 earth_field(double latitude_deg, double longitude_deg,
                  std::optional<double> declination = std::nullopt);
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 namespace {
 
 // Of `fields_updated`.
@@ -134,4 +134,4 @@ HilControls controls_of(const mavlink::HilActuatorControls& message) {
   return controls;
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -12,7 +12,7 @@
 /// What a simulator exchanges with an autopilot that has its sensors from outside (PX4's
 /// simulator interface, HIL messages of MAVLink). SI units here; the messages have
 /// theirs.
-namespace skein::physics_link {
+namespace skein::physics {
 
 struct HilImu {
   Vec3 f_B = Vec3::Zero();     ///< specific force: acceleration less gravity [m/s^2]
@@ -92,4 +92,4 @@ mavlink::HilStateQuaternion message_of(const HilTruth& truth);
 /// What an autopilot has sent, made safe: not a number is 0, others are within -1 to 1.
 HilControls controls_of(const mavlink::HilActuatorControls& message);
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "skein/base/log.h"
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/link/physics/earth_field.h"
 #include "skein/link/transport/endpoint_address.h"
 #include "skein/model/atmosphere/atmosphere.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 namespace {
 
 using namespace std::chrono_literals;
@@ -187,4 +187,4 @@ void HilDrive::take_events(Time, std::vector<OutsideEvent>& out) {
   events_.clear();
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -18,7 +18,7 @@
 #include "skein/link/physics/hil_simulator.h"
 #include "skein/role/autopilot_drive.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// Makes what the sensors of an autopilot measure of a motion.
 ///
@@ -92,4 +92,4 @@ class HilDrive final : public AutopilotDrive {
   std::vector<OutsideEvent> events_;
 };
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace skein::physics_link {
+namespace skein::physics {
 namespace {
 
 constexpr std::uint16_t kSetMessageInterval = 511;  // MAV_CMD
@@ -91,4 +91,4 @@ std::optional<HilControls> HilSession::take_controls() {
   return std::exchange(controls_, std::nullopt);
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -11,7 +11,7 @@
 #include "skein/link/mavlink/frame_writer.h"
 #include "skein/link/physics/hil.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// One connection of a simulator with an autopilot: messages out, controls and requests
 /// in. Without clock and sockets.
@@ -61,4 +61,4 @@ class HilSession {
   std::optional<Time> truth_due_;       // none: now
 };
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -5,7 +5,7 @@
 
 #include "skein/base/check.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 namespace {
 
 using namespace std::chrono_literals;
@@ -145,4 +145,4 @@ void HilSimulator::send_due_heartbeat() {
   session_->send_heartbeat();
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

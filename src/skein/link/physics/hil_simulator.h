@@ -12,7 +12,7 @@
 #include "skein/link/physics/hil_session.h"
 #include "skein/link/transport/endpoints.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// Where instance n of PX4's SITL looks for its simulator: 4560 + n.
 constexpr std::uint16_t px4_port(int instance) {
@@ -125,4 +125,4 @@ class HilSimulator final : private transport::ChannelListener {
   transport::Endpoints endpoints_;
 };
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 Result<void> StartedPort::open() {
   constexpr std::string_view kLink = "{link}";
@@ -12,7 +12,7 @@ Result<void> StartedPort::open() {
     for (std::size_t at = argument.find(kLink); at != std::string::npos;
          at = argument.find(kLink, at + link.size()))
       argument.replace(at, kLink.size(), link);
-  program_ = DrivingProgram(child_process::KeptProgram(plan_, restart_));
+  program_ = DrivingProgram(process::KeptProgram(plan_, restart_));
   if (auto started = program_.start(); !started) return started;
   return port_->open();
 }
@@ -24,4 +24,4 @@ void StartedPort::receive(Time now, std::vector<VehicleReport>& out) {
   port_->receive(now, out);
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -8,14 +8,14 @@
 #include "skein/link/physics/driving_program.h"
 #include "skein/role/vehicle_port.h"
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// The port of a vehicle whose program, with a plant of its own, is started with the run.
 class StartedPort final : public VehiclePort {
  public:
   /// @param program  "{link}" in its arguments becomes `link`, asked for when it starts.
-  StartedPort(std::unique_ptr<VehiclePort> port, child_process::Program program,
-              bool restart, std::function<std::string()> link)
+  StartedPort(std::unique_ptr<VehiclePort> port, process::Program program, bool restart,
+              std::function<std::string()> link)
       : port_(std::move(port)),
         plan_(std::move(program)),
         restart_(restart),
@@ -29,11 +29,11 @@ class StartedPort final : public VehiclePort {
 
  private:
   std::unique_ptr<VehiclePort> port_;
-  child_process::Program plan_;
+  process::Program plan_;
   bool restart_;
   std::function<std::string()> link_;
   DrivingProgram program_;
   std::vector<OutsideEvent> events_;
 };
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace skein::child_process {
+namespace skein::process {
 namespace {
 
 using namespace std::chrono_literals;
@@ -63,4 +63,4 @@ void KeptProgram::stop(Clock::time_point now) {
   if (process_) process_->stop(now);
 }
 
-}  // namespace skein::child_process
+}  // namespace skein::process

@@ -8,7 +8,7 @@
 #include "skein/base/result.h"
 #include "skein/link/process/process.h"
 
-namespace skein::child_process {
+namespace skein::process {
 
 /// A program that is started, looked after and, if so wanted, started again a second
 /// after it has ended, at most ten times.
@@ -50,4 +50,4 @@ class KeptProgram {
   Clock::time_point again_at_;
 };
 
-}  // namespace skein::child_process
+}  // namespace skein::process

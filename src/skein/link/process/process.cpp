@@ -19,7 +19,7 @@
 
 #include "skein/base/shown_text.h"
 
-namespace skein::child_process {
+namespace skein::process {
 namespace {
 
 namespace fs = std::filesystem;
@@ -283,4 +283,4 @@ std::vector<std::string> ChildProcess::last_lines(std::size_t count) const {
   return lines;
 }
 
-}  // namespace skein::child_process
+}  // namespace skein::process

@@ -11,7 +11,7 @@
 
 #include "skein/base/result.h"
 
-namespace skein::child_process {
+namespace skein::process {
 
 /// A program to be started.
 struct Program {
@@ -80,4 +80,4 @@ class ChildProcess {
   std::optional<Clock::time_point> stop_due_;  // when it is killed
 };
 
-}  // namespace skein::child_process
+}  // namespace skein::process

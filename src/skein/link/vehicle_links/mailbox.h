@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "skein/data/vehicle_report.h"
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_request.h"
 
 namespace skein::vehicle_links {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "skein/data/autopilot.h"
-#include "skein/data/vehicle_report.h"
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_request.h"
 
 namespace skein::vehicle_links {
 

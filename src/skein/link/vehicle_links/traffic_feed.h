@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/record.h"
+#include "skein/data/event/record.h"
 #include "skein/link/vehicle_links/vehicle_links.h"
 
 namespace skein::vehicle_links {

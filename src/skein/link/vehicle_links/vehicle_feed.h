@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/airframe.h"
-#include "skein/data/command.h"
+#include "skein/data/command/command.h"
+#include "skein/data/vehicle/airframe.h"
 #include "skein/link/vehicle_links/shown_mode.h"
 #include "skein/link/vehicle_links/traffic_feed.h"
 #include "skein/link/vehicle_links/vehicle_links.h"

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/vehicle.h"
-#include "skein/data/vehicle_request.h"
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
+#include "skein/data/vehicle/vehicle.h"
+#include "skein/data/vehicle/vehicle_request.h"
 #include "skein/geo/local_frame.h"
 #include "skein/link/mavlink/constants.h"
 #include "skein/link/mavlink/messages.h"

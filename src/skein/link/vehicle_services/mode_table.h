@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/vehicle_request.h"
 #include "skein/link/mavlink/constants.h"
 #include "skein/link/vehicle_services/vehicle_snapshot.h"
 

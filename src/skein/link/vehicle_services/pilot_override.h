@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "skein/data/pilot.h"
+#include "skein/data/vehicle/pilot.h"
 #include "skein/link/mavlink/messages.h"
 #include "skein/link/vehicle_services/served_vehicle.h"
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/vehicle_request.h"
 
 namespace skein::vehicle_services {
 

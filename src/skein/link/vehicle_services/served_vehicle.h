@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/vehicle_report.h"
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/vehicle_report.h"
+#include "skein/data/vehicle/vehicle_request.h"
 #include "skein/geo/local_frame.h"
 #include "skein/link/mavlink/constants.h"
 #include "skein/link/vehicle_services/expected.h"

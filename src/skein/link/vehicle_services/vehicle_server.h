@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/vehicle_request.h"
 #include "skein/geo/local_frame.h"
 #include "skein/link/mavlink/constants.h"
 #include "skein/link/mavlink/frame.h"

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle.h"
-#include "skein/data/vehicle_report.h"
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
+#include "skein/data/vehicle/vehicle.h"
+#include "skein/data/vehicle/vehicle_report.h"
 #include "skein/geo/vec.h"
 #include "skein/link/vehicle_services/parameter_service.h"
 

@@ -6,9 +6,9 @@
 #include <mutex>
 #include <utility>
 
-#include "skein/data/entity_report.h"
-#include "skein/data/walk.h"
-#include "skein/data/wire.h"
+#include "skein/data/describe/walk.h"
+#include "skein/data/describe/wire.h"
+#include "skein/data/vehicle/entity_report.h"
 
 namespace skein::world_link {
 namespace {

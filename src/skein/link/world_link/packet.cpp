@@ -1,6 +1,6 @@
 #include "skein/link/world_link/packet.h"
 
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
 
 namespace skein::world_link {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "skein/base/result.h"
 #include "skein/base/time.h"
-#include "skein/data/describe.h"
+#include "skein/data/describe/describe.h"
 
 // What a world and an agent in another program send each other. Times are of the
 // sender's clock, which runs evenly from its start.

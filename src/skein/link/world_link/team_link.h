@@ -10,8 +10,8 @@
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
-#include "skein/data/describe.h"
-#include "skein/data/message.h"
+#include "skein/data/describe/describe.h"
+#include "skein/data/radio/message.h"
 #include "skein/link/autopilot_client/clock_alignment.h"
 
 namespace skein::world_link {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "skein/data/walk.h"
-#include "skein/data/wire.h"
+#include "skein/data/describe/walk.h"
+#include "skein/data/describe/wire.h"
 #include "skein/link/world_link/entity_links.h"
 
 namespace skein::world_link {

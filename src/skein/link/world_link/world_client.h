@@ -13,8 +13,8 @@
 
 #include "skein/base/id.h"
 #include "skein/base/result.h"
-#include "skein/data/entity_input.h"
-#include "skein/data/entity_report.h"
+#include "skein/data/vehicle/entity_input.h"
+#include "skein/data/vehicle/entity_report.h"
 #include "skein/link/transport/endpoints.h"
 #include "skein/link/world_link/framing.h"
 #include "skein/link/world_link/session.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "skein/base/math.h"
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 
 namespace skein::mixed::motion_tracker_test {
 namespace {

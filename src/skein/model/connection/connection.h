@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "skein/data/flight_plan.h"
+#include "skein/data/vehicle/flight_plan.h"
 #include "skein/model/path/dubins.h"
 #include "skein/model/path/pose.h"
 

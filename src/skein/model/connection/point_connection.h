@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "skein/data/flight_plan.h"
+#include "skein/data/vehicle/flight_plan.h"
 #include "skein/model/connection/connection.h"
 
 namespace skein::model {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "skein/data/path.h"
+#include "skein/data/vehicle/path.h"
 #include "skein/model/path/pose.h"
 
 namespace skein::model {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/flight_plan.h"
+#include "skein/data/vehicle/flight_plan.h"
 
 namespace skein::model {
 

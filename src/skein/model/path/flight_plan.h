@@ -1,7 +1,7 @@
 #pragma once
 
-#include "skein/data/flight_plan.h"
-#include "skein/data/plan.h"
+#include "skein/data/vehicle/flight_plan.h"
+#include "skein/data/vehicle/plan.h"
 
 namespace skein::model {
 

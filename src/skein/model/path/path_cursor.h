@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "skein/data/path.h"
+#include "skein/data/vehicle/path.h"
 
 namespace skein::model {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/data/path.h"
+#include "skein/data/vehicle/path.h"
 #include "skein/model/path/pose.h"
 
 namespace skein::model {

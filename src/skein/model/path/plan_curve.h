@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "skein/data/plan.h"
+#include "skein/data/vehicle/plan.h"
 #include "skein/model/path/path_cursor.h"
 
 namespace skein::model {

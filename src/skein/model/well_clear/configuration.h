@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "skein/base/result.h"
-#include "skein/data/alert.h"
+#include "skein/data/traffic/alert.h"
 #include "skein/model/well_clear/volume.h"
 
 namespace skein::model {

@@ -1,4 +1,4 @@
-#include "skein/record/alert_statistics.h"
+#include "skein/record/figures/alert_statistics.h"
 
 #include <gtest/gtest.h>
 

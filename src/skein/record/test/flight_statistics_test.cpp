@@ -1,11 +1,11 @@
-#include "skein/record/flight_statistics.h"
+#include "skein/record/figures/flight_statistics.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "skein/record/separation_statistics.h"
+#include "skein/record/figures/separation_statistics.h"
 
 namespace skein::record::flight_statistics_test {
 namespace {

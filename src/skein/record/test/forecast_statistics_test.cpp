@@ -1,4 +1,4 @@
-#include "skein/record/forecast_statistics.h"
+#include "skein/record/figures/forecast_statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "skein/record/message_load.h"
+#include "skein/record/figures/message_load.h"
 
 #include <gtest/gtest.h>
 

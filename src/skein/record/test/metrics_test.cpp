@@ -1,4 +1,4 @@
-#include "skein/record/metrics.h"
+#include "skein/record/figures/metrics.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sample_run.h"
-#include "skein/record/reading_ages.h"
+#include "skein/record/figures/reading_ages.h"
 
 namespace skein::record::metrics_test {
 namespace {

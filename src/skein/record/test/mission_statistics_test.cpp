@@ -1,4 +1,4 @@
-#include "skein/record/mission/mission_statistics.h"
+#include "skein/record/figures/mission/mission_statistics.h"
 
 #include <gtest/gtest.h>
 

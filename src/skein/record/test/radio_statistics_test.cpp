@@ -1,4 +1,4 @@
-#include "skein/record/radio_statistics.h"
+#include "skein/record/figures/radio_statistics.h"
 
 #include <gtest/gtest.h>
 

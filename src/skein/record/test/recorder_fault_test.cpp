@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "sample_run.h"
-#include "skein/record/run_recorder.h"
-#include "skein/record/sqlite.h"
+#include "skein/record/store/run_recorder.h"
+#include "skein/record/store/sqlite.h"
 
 namespace skein::record::recorder_fault_test {
 namespace {

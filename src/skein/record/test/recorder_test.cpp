@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "sample_run.h"
-#include "skein/record/replay.h"
-#include "skein/record/run_recorder.h"
-#include "skein/record/sqlite.h"
-#include "skein/record/summary_recorder.h"
+#include "skein/record/store/replay.h"
+#include "skein/record/store/run_recorder.h"
+#include "skein/record/store/sqlite.h"
+#include "skein/record/store/summary_recorder.h"
 
 namespace skein::record::recorder_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "skein/record/report.h"
+#include "skein/record/report/report.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,11 +13,11 @@
 #include <sstream>
 
 #include "sample_run.h"
-#include "skein/record/page.h"
-#include "skein/record/run_reader.h"
-#include "skein/record/run_recorder.h"
-#include "skein/record/sqlite.h"
-#include "skein/record/study_report.h"
+#include "skein/record/report/page.h"
+#include "skein/record/report/study_report.h"
+#include "skein/record/store/run_reader.h"
+#include "skein/record/store/run_recorder.h"
+#include "skein/record/store/sqlite.h"
 
 namespace skein::record::report_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "skein/base/random.h"
-#include "skein/data/message.h"
+#include "skein/data/radio/message.h"
 #include "skein/geo/vec.h"
 #include "skein/role/recorder.h"
 

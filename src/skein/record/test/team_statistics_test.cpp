@@ -1,4 +1,4 @@
-#include "skein/record/team_statistics.h"
+#include "skein/record/figures/team_statistics.h"
 
 #include <gtest/gtest.h>
 

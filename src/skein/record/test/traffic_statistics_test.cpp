@@ -1,4 +1,4 @@
-#include "skein/record/traffic_statistics.h"
+#include "skein/record/figures/traffic_statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "skein/base/random.h"
-#include "skein/data/sensing.h"
+#include "skein/data/vehicle/sensing.h"
 #include "skein/geo/vec.h"
 #include "skein/role/contract/contract.h"
 #include "skein/role/phenomenon.h"

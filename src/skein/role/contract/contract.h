@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "skein/base/id.h"
-#include "skein/data/airframe.h"
-#include "skein/data/fire.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/perimeter/fire.h"
+#include "skein/data/vehicle/airframe.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein {
 class Agent;

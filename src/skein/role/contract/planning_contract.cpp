@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "skein/base/math.h"
-#include "skein/data/airspace.h"
+#include "skein/data/airspace/airspace.h"
 #include "skein/role/contract/checks.h"
 #include "skein/role/path_planner.h"
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/layer/asset/body/parameter_error.h"
 
 namespace skein::asset {

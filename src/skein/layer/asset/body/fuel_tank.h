@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/layer/asset/body/parameter_error.h"
 
 namespace skein::asset {

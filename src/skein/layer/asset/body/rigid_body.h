@@ -1,7 +1,7 @@
 #pragma once
 
-#include "skein/data/air.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/air.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/geo/rotation.h"
 #include "skein/geo/vec.h"
 

@@ -9,7 +9,7 @@
 
 namespace skein::asset {
 
-/// Deflections of the control surfaces [rad], signs as in data/control.h.
+/// Deflections of the control surfaces [rad], signs as in data/vehicle/control.h.
 struct Surfaces {
   double aileron = 0, elevator = 0, rudder = 0;
 };

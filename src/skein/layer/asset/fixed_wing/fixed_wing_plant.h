@@ -7,10 +7,10 @@ namespace skein::asset {
 
 /// Six degrees of freedom of a fixed wing with servos, engine and a store of energy.
 ///
-/// Takes Actuators (data/control.h); what is not a number counts as 0, the rest is
-/// bounded. `VehicleState::actuators` holds the deflections [rad] at the channels of the
-/// surfaces and the engine's spin (see Engine) at that of the throttle. Servos and engine
-/// follow in closed form, the body by RK4: see rk4_step, Aerodynamics.
+/// Takes Actuators (data/vehicle/control.h); what is not a number counts as 0, the rest
+/// is bounded. `VehicleState::actuators` holds the deflections [rad] at the channels of
+/// the surfaces and the engine's spin (see Engine) at that of the throttle. Servos and
+/// engine follow in closed form, the body by RK4: see rk4_step, Aerodynamics.
 ///
 /// Faults: a dead surface goes to 0, a dead engine to a stand, both with their lags; what
 /// is stuck stays. An engine without energy stands as well.

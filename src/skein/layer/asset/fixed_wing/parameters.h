@@ -25,7 +25,7 @@ struct WingGeometry {
 
 /// Dimensionless derivatives, per radian. a = angle of attack, b = side-slip; p, q, r
 /// stand for p b/(2 V), q c/(2 V), r b/(2 V); de, da, dr for the deflections with the
-/// signs of data/control.h.
+/// signs of data/vehicle/control.h.
 struct AeroCoefficients {
   // Lift and drag. CD = CD0 + K (CL0 + CLa a)^2 + CDq |q| + CDde |de|.
   double CL0 = 0.28, CLa = 5.1, CLq = 5, CLde = 0.34;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "skein/data/airframe.h"
+#include "skein/data/vehicle/airframe.h"
 #include "skein/layer/asset/body/battery.h"
 #include "skein/layer/asset/body/ground_contact.h"
 #include "skein/layer/asset/body/parameter_error.h"

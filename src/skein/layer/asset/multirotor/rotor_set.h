@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <span>
 
-#include "skein/data/airframe.h"
-#include "skein/data/control.h"
+#include "skein/data/vehicle/airframe.h"
+#include "skein/data/vehicle/control.h"
 #include "skein/geo/vec.h"
 
 namespace skein::asset {

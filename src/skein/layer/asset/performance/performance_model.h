@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/asset/performance/performance_parameters.h"
 
 namespace skein::asset {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "skein/base/math.h"
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/autopilot/control/bounded.h"
 
 namespace skein::autopilot {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "skein/data/pilot.h"
+#include "skein/data/vehicle/pilot.h"
 #include "skein/layer/autopilot/control/energy_control.h"
 #include "skein/layer/autopilot/control/surface_control.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "skein/base/math.h"
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 
 namespace skein::autopilot {
 namespace {

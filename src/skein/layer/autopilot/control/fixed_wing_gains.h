@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/data/airframe.h"
+#include "skein/data/vehicle/airframe.h"
 #include "skein/geo/vec.h"
 
 namespace skein::autopilot {

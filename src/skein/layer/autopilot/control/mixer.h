@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "skein/data/airframe.h"
-#include "skein/data/control.h"
+#include "skein/data/vehicle/airframe.h"
+#include "skein/data/vehicle/control.h"
 #include "skein/geo/vec.h"
 
 namespace skein::autopilot {

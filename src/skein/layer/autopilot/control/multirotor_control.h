@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "skein/data/pilot.h"
+#include "skein/data/vehicle/pilot.h"
 #include "skein/geo/rotation.h"
 #include "skein/layer/autopilot/control/mixer.h"
 #include "skein/layer/autopilot/control/multirotor_gains.h"

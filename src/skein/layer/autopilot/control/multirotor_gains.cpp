@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "skein/base/math.h"
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 
 namespace skein::autopilot {
 namespace {

@@ -1,6 +1,6 @@
 #include "skein/layer/autopilot/control/surface_control.h"
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/autopilot/control/bounded.h"
 
 namespace skein::autopilot {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "skein/data/control.h"
+#include "skein/data/vehicle/control.h"
 #include "skein/layer/autopilot/control/fixed_wing_gains.h"
 #include "skein/layer/autopilot/control/tilt.h"
 #include "skein/layer/autopilot/nav_state.h"

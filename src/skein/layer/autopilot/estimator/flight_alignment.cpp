@@ -1,6 +1,6 @@
 #include "skein/layer/autopilot/estimator/flight_alignment.h"
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 
 namespace skein::autopilot {
 namespace {

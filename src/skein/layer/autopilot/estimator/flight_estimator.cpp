@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "skein/base/math.h"
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/autopilot/estimator/strapdown.h"
 
 namespace skein::autopilot {

@@ -4,10 +4,10 @@
 #include <memory>
 #include <optional>
 
-#include "skein/data/air.h"
-#include "skein/data/autopilot.h"
-#include "skein/data/sensing.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/air.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/sensing.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/layer/autopilot/estimator/error_covariance.h"
 #include "skein/layer/autopilot/estimator/error_state.h"
 #include "skein/layer/autopilot/estimator/estimator_options.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "skein/base/math.h"
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/autopilot/estimator/flight_estimator.h"
 
 namespace skein::autopilot {

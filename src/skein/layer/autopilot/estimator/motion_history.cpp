@@ -1,6 +1,6 @@
 #include "skein/layer/autopilot/estimator/motion_history.h"
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/geo/rotation.h"
 
 namespace skein::autopilot {

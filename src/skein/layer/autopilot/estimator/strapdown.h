@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/autopilot/estimator/error_covariance.h"
 #include "skein/layer/autopilot/estimator/error_state.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "skein/base/math.h"
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/autopilot/guidance/same_guidance.h"
 #include "skein/layer/autopilot/guidance/steering.h"
 #include "skein/layer/autopilot/guidance/unflyable.h"

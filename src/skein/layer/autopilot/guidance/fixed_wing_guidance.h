@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "skein/data/autopilot.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/layer/autopilot/demand.h"
 #include "skein/layer/autopilot/guidance/landing.h"
 #include "skein/layer/autopilot/guidance/lateral.h"

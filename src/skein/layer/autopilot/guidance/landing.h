@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "skein/data/autopilot.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/layer/autopilot/demand.h"
 #include "skein/model/path/path_cursor.h"
 #include "skein/model/path/pose.h"

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "skein/data/airframe.h"
-#include "skein/data/autopilot.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/airframe.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/layer/autopilot/demand.h"
 #include "skein/layer/autopilot/guidance/waypoint_route.h"
 #include "skein/layer/autopilot/nav_state.h"

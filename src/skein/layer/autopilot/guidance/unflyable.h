@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "skein/data/autopilot.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein::autopilot {
 

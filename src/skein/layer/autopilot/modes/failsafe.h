@@ -7,8 +7,8 @@
 #include <string>
 
 #include "skein/base/time.h"
-#include "skein/data/airframe.h"
-#include "skein/data/autopilot.h"
+#include "skein/data/vehicle/airframe.h"
+#include "skein/data/vehicle/autopilot.h"
 
 namespace skein::autopilot {
 

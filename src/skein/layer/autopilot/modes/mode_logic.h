@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "skein/base/time.h"
-#include "skein/data/autopilot.h"
-#include "skein/data/pilot.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/pilot.h"
 #include "skein/layer/autopilot/modes/failsafe.h"
 
 namespace skein::autopilot {

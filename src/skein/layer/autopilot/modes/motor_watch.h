@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "skein/base/time.h"
-#include "skein/data/control.h"
+#include "skein/data/vehicle/control.h"
 
 namespace skein::autopilot {
 

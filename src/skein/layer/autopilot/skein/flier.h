@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "skein/data/autopilot.h"
-#include "skein/data/control.h"
-#include "skein/data/pilot.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/control.h"
+#include "skein/data/vehicle/pilot.h"
 #include "skein/layer/autopilot/nav_state.h"
 
 namespace skein::autopilot {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "skein/base/time.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/layer/autopilot/nav_state.h"
 
 namespace skein::autopilot {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "skein/base/time.h"
-#include "skein/data/autopilot.h"
+#include "skein/data/vehicle/autopilot.h"
 
 namespace skein::autopilot {
 

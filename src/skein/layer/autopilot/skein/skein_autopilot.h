@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/autopilot/estimator/flight_estimator.h"
 #include "skein/layer/autopilot/skein/land_detector.h"
 #include "skein/layer/autopilot/skein/point_flier.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/airframe.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/airframe.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/layer/autopilot/control/fixed_wing_gains.h"
 #include "skein/layer/autopilot/control/multirotor_gains.h"
 #include "skein/layer/autopilot/estimator/estimator_options.h"

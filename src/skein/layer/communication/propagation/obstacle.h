@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "skein/base/math.h"
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
 
 namespace skein::communication {
 

@@ -1,6 +1,6 @@
 #include "skein/layer/communication/routing/flooding.h"
 
-#include "skein/data/message.h"
+#include "skein/data/radio/message.h"
 
 namespace skein::communication {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "skein/data/message.h"
+#include "skein/data/radio/message.h"
 
 namespace skein::communication {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "skein/base/math.h"
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
 #include "skein/layer/communication/security/seal.h"
 
 namespace skein::communication {

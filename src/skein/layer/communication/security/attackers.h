@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "skein/base/random.h"
-#include "skein/data/event.h"
-#include "skein/data/message.h"
+#include "skein/data/event/event.h"
+#include "skein/data/radio/message.h"
 #include "skein/layer/communication/medium/frame.h"
 #include "skein/layer/communication/security/attack.h"
 

@@ -12,7 +12,7 @@
 #include "skein/base/id.h"
 #include "skein/base/replay_window.h"
 #include "skein/base/time.h"
-#include "skein/data/event.h"
+#include "skein/data/event/event.h"
 #include "skein/layer/communication/security/seal.h"
 
 namespace skein::communication {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "skein/base/check.h"
-#include "skein/data/command_text.h"
+#include "skein/data/command/command_text.h"
 #include "skein/layer/hmi/serve/access.h"
 #include "skein/layer/hmi/serve/client_request.h"
 #include "skein/layer/hmi/serve/foxglove/protocol.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "skein/base/result.h"
-#include "skein/data/live.h"
+#include "skein/data/event/live.h"
 
 namespace skein::hmi {
 

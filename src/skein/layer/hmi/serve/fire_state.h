@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/record.h"
+#include "skein/data/event/record.h"
 
 namespace skein::hmi {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "skein/data/command_text.h"
-#include "skein/data/wire.h"
+#include "skein/data/command/command_text.h"
+#include "skein/data/describe/wire.h"
 
 namespace skein::hmi {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/command.h"
-#include "skein/data/live.h"
+#include "skein/data/command/command.h"
+#include "skein/data/event/live.h"
 #include "skein/layer/hmi/serve/client_request.h"
 #include "skein/layer/hmi/serve/foxglove/viewers.h"
 #include "skein/layer/hmi/serve/web_server.h"

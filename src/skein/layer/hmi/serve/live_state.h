@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/live.h"
+#include "skein/data/event/live.h"
 
 namespace skein::hmi {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "skein/base/random.h"
-#include "skein/data/agent_step.h"
+#include "skein/data/vehicle/agent_step.h"
 #include "skein/layer/reasoning/trajectory/flight_intent.h"
 
 namespace skein::reasoning {

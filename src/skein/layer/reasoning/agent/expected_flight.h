@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "skein/data/flight_plan.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/flight_plan.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/layer/reasoning/trajectory/flight_context.h"
 #include "skein/layer/reasoning/trajectory/flight_intent.h"
 

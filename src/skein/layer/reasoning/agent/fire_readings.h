@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/agent_step.h"
-#include "skein/data/fire.h"
-#include "skein/data/fire_report.h"
+#include "skein/data/perimeter/fire.h"
+#include "skein/data/perimeter/fire_report.h"
+#include "skein/data/vehicle/agent_step.h"
 #include "skein/layer/reasoning/agent/report_rate.h"
 
 namespace skein::reasoning {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/layer/reasoning/trajectory/flight_intent.h"
 #include "skein/model/well_clear/band_advisor.h"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/trajectory/flight_context.h"

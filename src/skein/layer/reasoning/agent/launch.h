@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "skein/data/agent_step.h"
+#include "skein/data/vehicle/agent_step.h"
 
 namespace skein::reasoning {
 

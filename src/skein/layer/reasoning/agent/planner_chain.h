@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "skein/data/planner_change.h"
+#include "skein/data/vehicle/planner_change.h"
 #include "skein/layer/reasoning/agent/advised_pilot.h"
 #include "skein/layer/reasoning/agent/separation_planner.h"
 #include "skein/layer/reasoning/agent/task_executor.h"

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "skein/base/id.h"
-#include "skein/data/radio.h"
+#include "skein/data/radio/radio.h"
 
 namespace skein::reasoning {
 

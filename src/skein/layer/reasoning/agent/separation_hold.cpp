@@ -5,8 +5,8 @@
 
 #include "skein/layer/reasoning/agent/hold_planner.h"
 #include "skein/layer/reasoning/agent/separation_planner.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/repair.h"
 
 // What an aircraft flies behind the end of its task, where it stays, and when it leaves
 // that for another flight.
@@ -134,7 +134,7 @@ void SeparationPlanner::foresee_end(const Itinerary& itinerary, const TaskStep& 
   const bool changed = is_taken_in && separator_.changed();
   WantedFlight wanted;
   wanted.number = counted_ + 1;
-  wanted.plan = planning::part_of(plan, model::start_of(plan), end);
+  wanted.plan = solve::part_of(plan, model::start_of(plan), end);
   wanted.plan.insert(wanted.plan.end(), stay.plan.begin(), stay.plan.end());
   wanted.milestones.assign(milestones.begin(),
                            milestones.begin() + static_cast<std::ptrdiff_t>(points));
@@ -171,7 +171,7 @@ bool SeparationPlanner::stay_behind_legs(const FlightIntent& given, const TaskSt
   const ExpectedFlight stay = expected_flight({0, hold_->flown}, 0, there, context, end,
                                               options_.horizon + kHoldAhead);
   if (stay.plan.empty()) return false;
-  ahead.plan = planning::part_of(ahead.plan, model::start_of(ahead.plan), end);
+  ahead.plan = solve::part_of(ahead.plan, model::start_of(ahead.plan), end);
   ahead.plan.insert(ahead.plan.end(), stay.plan.begin(), stay.plan.end());
   return true;
 }

@@ -9,8 +9,8 @@
 #include "skein/layer/reasoning/agent/expected_flight.h"
 #include "skein/layer/reasoning/avoidance/flights/course_flight.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/repair.h"
 
 namespace skein::reasoning {
 namespace {
@@ -209,7 +209,7 @@ ExpectedFlight SeparationPlanner::prolonged(const FlightIntent& given,
   ExpectedFlight on =
       expected_flight(given, points, there, context, end, options_.horizon + kExpected);
   ExpectedFlight all;
-  all.plan = planning::part_of(separator_.plan(), now, end);
+  all.plan = solve::part_of(separator_.plan(), now, end);
   all.plan.insert(all.plan.end(), on.plan.begin(), on.plan.end());
   all.points.assign(milestones.begin(),
                     milestones.begin() + static_cast<std::ptrdiff_t>(points));

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "skein/base/result.h"
-#include "skein/data/agent_step.h"
-#include "skein/data/fire.h"
-#include "skein/data/task.h"
+#include "skein/data/perimeter/fire.h"
+#include "skein/data/team/task.h"
+#include "skein/data/vehicle/agent_step.h"
 #include "skein/layer/reasoning/agent/flight_safety.h"
 #include "skein/layer/reasoning/belief/beliefs.h"
 #include "skein/layer/reasoning/trajectory/flight_context.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-#include "skein/data/object.h"
+#include "skein/data/perimeter/object.h"
 
 namespace skein::reasoning {
 

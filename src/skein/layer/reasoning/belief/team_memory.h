@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "skein/base/id.h"
-#include "skein/data/agent_step.h"
+#include "skein/data/vehicle/agent_step.h"
 
 namespace skein::reasoning {
 

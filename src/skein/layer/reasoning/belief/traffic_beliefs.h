@@ -3,7 +3,7 @@
 #include <deque>
 #include <vector>
 
-#include "skein/data/agent_step.h"
+#include "skein/data/vehicle/agent_step.h"
 #include "skein/layer/reasoning/belief/team_memory.h"
 #include "skein/layer/reasoning/belief/traffic/traffic_tracker.h"
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "skein/data/agent_step.h"
-#include "skein/data/task.h"
+#include "skein/data/team/task.h"
+#include "skein/data/vehicle/agent_step.h"
 
 namespace skein::reasoning {
 

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "skein/data/agent_step.h"
+#include "skein/data/vehicle/agent_step.h"
 
 namespace skein::reasoning {
 

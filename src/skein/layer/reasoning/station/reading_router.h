@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "skein/data/fire.h"
+#include "skein/data/perimeter/fire.h"
 #include "skein/geo/vec.h"
 
 namespace skein::reasoning {

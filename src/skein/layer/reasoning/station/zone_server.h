@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/agent_step.h"
-#include "skein/data/zone_set.h"
+#include "skein/data/airspace/zone_set.h"
+#include "skein/data/vehicle/agent_step.h"
 
 namespace skein::reasoning {
 

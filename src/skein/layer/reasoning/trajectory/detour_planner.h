@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
 #include "skein/geo/boundary_index.h"
 
 namespace skein::reasoning {

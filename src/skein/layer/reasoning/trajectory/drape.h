@@ -1,8 +1,8 @@
 #pragma once
 
-#include "skein/data/flight_plan.h"
-#include "skein/data/plan.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/flight_plan.h"
+#include "skein/data/vehicle/plan.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/role/terrain.h"
 
 namespace skein::reasoning {

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "skein/base/id.h"
-#include "skein/data/autopilot.h"
-#include "skein/data/event.h"
-#include "skein/data/safety_zone.h"
+#include "skein/data/event/event.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/safety_zone.h"
 
 namespace skein::reasoning {
 

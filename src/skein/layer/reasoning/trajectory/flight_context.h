@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "skein/base/id.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/role/path_planner.h"
 #include "skein/role/terrain.h"
 

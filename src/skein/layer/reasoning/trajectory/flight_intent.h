@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "skein/data/autopilot.h"
-#include "skein/data/flight_plan.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/flight_plan.h"
 
 // What the links of the planner chain hand on: what shall be flown, before anybody has
 // looked at zones, ground and limits.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
 
 namespace skein::reasoning {
 

@@ -1,6 +1,6 @@
 #include "skein/layer/reasoning/trajectory/leg_plan.h"
 
-#include "skein/data/airspace.h"
+#include "skein/data/airspace/airspace.h"
 #include "skein/model/path/wind_triangle.h"
 
 namespace skein::reasoning {

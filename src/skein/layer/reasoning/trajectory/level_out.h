@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "skein/data/flight_plan.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/flight_plan.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein::reasoning {
 

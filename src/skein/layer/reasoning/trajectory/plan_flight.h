@@ -13,7 +13,7 @@ namespace skein::reasoning {
 /// Where a no-fly zone comes to lie on the rest of the plan, or the aircraft has left it,
 /// the plan is mended leg by leg: left for a while and joined again before the next
 /// milestone that is not blocked; what comes after is flown that much later
-/// (planning::repair). Where no mending is found, the zone avoidance leads the aircraft
+/// (solve::repair). Where no mending is found, the zone avoidance leads the aircraft
 /// along the plan by sight, and mending is tried again ten seconds later, then less and
 /// less often. An aircraft within a zone leaves it first. A plan that the autopilot
 /// refuses is not flown any more: who has made it must make another.

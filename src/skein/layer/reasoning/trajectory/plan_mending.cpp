@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "skein/data/airspace.h"
-#include "skein/layer/reasoning/planning/search/airspace_map.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
+#include "skein/data/airspace/airspace.h"
 #include "skein/model/path/flight_plan.h"
 #include "skein/model/path/wind_triangle.h"
+#include "skein/solve/path/airspace_map.h"
+#include "skein/solve/path/repair.h"
 
 namespace skein::reasoning {
 namespace {
@@ -74,7 +74,7 @@ class Mending {
 
   Airspace airspace_;
   PathQuery query_;  // its start is where the next leg begins
-  planning::AirspaceMap map_;
+  solve::AirspaceMap map_;
   FlightPlan rest_;                 // not looked at yet, on its own times
   std::vector<double> milestones_;  // of the rest
   MendedPlan out_;
@@ -100,8 +100,8 @@ bool Mending::mend_leg() {
       why = "the place to go on from lies in a no-fly zone";
       continue;
     }
-    planning::RepairedPath leg =
-        planning::repair(planning::part_of(rest_, now, until), query_, map_);
+    solve::RepairedPath leg =
+        solve::repair(solve::part_of(rest_, now, until), query_, map_);
     if (leg.path.plan.empty()) {
       why = leg.path.reason;
       continue;
@@ -109,7 +109,7 @@ bool Mending::mend_leg() {
     model::append(out_.plan, std::move(leg.path.plan));
     const double arrival = model::end_time_of(out_.plan);
     out_.milestones.push_back(arrival);
-    FlightPlan after = planning::part_of(rest_, until, model::end_time_of(rest_));
+    FlightPlan after = solve::part_of(rest_, until, model::end_time_of(rest_));
     milestones_.erase(milestones_.begin(),
                       milestones_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
     for (double& time : milestones_) time += arrival - until;
@@ -122,12 +122,12 @@ bool Mending::mend_leg() {
 
 // What is free is kept as it is.
 void Mending::keep_until(double time) {
-  model::append(out_.plan, planning::part_of(rest_, model::start_of(rest_), time));
+  model::append(out_.plan, solve::part_of(rest_, model::start_of(rest_), time));
   while (!milestones_.empty() && milestones_.front() <= time) {
     out_.milestones.push_back(milestones_.front());
     milestones_.erase(milestones_.begin());
   }
-  rest_ = planning::part_of(rest_, time, model::end_time_of(rest_));
+  rest_ = solve::part_of(rest_, time, model::end_time_of(rest_));
 }
 
 MendedPlan Mending::run(const Vec3& here, double heading) {
@@ -167,11 +167,11 @@ MendedPlan Mending::run(const Vec3& here, double heading) {
 
 bool comes_into_zone(const FlightPlan& plan, double after, const TrajectoryStep& step,
                      const FlightContext& context) {
-  const FlightPlan rest = planning::part_of(plan, after, model::end_time_of(plan));
+  const FlightPlan rest = solve::part_of(plan, after, model::end_time_of(plan));
   if (rest.empty()) return false;
   const Airspace airspace = airspace_of(plan, step);
   const PathQuery query = query_of(airspace, plan, step, context);
-  return planning::AirspaceMap(query).first_meeting(rest).has_value();
+  return solve::AirspaceMap(query).first_meeting(rest).has_value();
 }
 
 MendedPlan mend_plan(const FlightPlan& plan, const std::vector<double>& milestones,

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/flight_plan.h"
+#include "skein/data/vehicle/flight_plan.h"
 #include "skein/layer/reasoning/trajectory/flight_context.h"
 #include "skein/layer/reasoning/trajectory/trajectory_step.h"
 
@@ -21,7 +21,7 @@ struct MendedPlan {
 };
 
 /// Mends a plan leg by leg, each up to the first milestone that lies in no zone
-/// (planning::repair): from where the aircraft is, then wherever the rest of it is
+/// (solve::repair): from where the aircraft is, then wherever the rest of it is
 /// blocked.
 /// @param milestones  growing times of the plan, its end last.
 MendedPlan mend_plan(const FlightPlan& plan, const std::vector<double>& milestones,

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "skein/base/id.h"
-#include "skein/data/agent_step.h"
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
+#include "skein/data/vehicle/agent_step.h"
 #include "skein/layer/reasoning/trajectory/detour_planner.h"
 #include "skein/layer/reasoning/trajectory/zone_avoidance.h"
 #include "skein/role/terrain.h"

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/autopilot.h"
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
+#include "skein/data/vehicle/autopilot.h"
 
 namespace skein::reasoning {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/data/agent_step.h"
+#include "skein/data/vehicle/agent_step.h"
 #include "skein/layer/reasoning/trajectory/return_planner.h"
 #include "skein/layer/reasoning/trajectory/zone_monitor.h"
 

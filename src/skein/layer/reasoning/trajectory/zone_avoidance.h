@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/autopilot.h"
-#include "skein/data/vehicle.h"
-#include "skein/data/zone.h"
+#include "skein/data/airspace/zone.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/geo/boundary_index.h"
 
 namespace skein::reasoning {

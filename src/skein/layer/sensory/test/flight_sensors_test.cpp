@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/sensory/airspeed_sensor.h"
 #include "skein/layer/sensory/barometer.h"
 #include "skein/layer/sensory/ideal_navigation.h"

@@ -153,12 +153,12 @@ TEST(FlightModelLink, AProgramThatEndsBeforeItSaysAnythingEndsTheRun) {
   options.in = transport::UdpServer{};
   options.contact = 20'000ms;
   options.files.emplace_back((folder / "Protocol/skein.xml").string(), "content");
-  child_process::Program started;
+  process::Program started;
   started.arguments = {"sh", "-c", "echo no display; exit 3"};
   started.folder = folder;
   started.log = folder / "log";
   FlightModelLink link(options, link_frame(), flightgear(),
-                       child_process::KeptProgram(started, false));
+                       process::KeptProgram(started, false));
   const auto opened = link.open();
   ASSERT_FALSE(opened);
   EXPECT_NE(opened.error().message.find("no display"), std::string::npos)

@@ -12,7 +12,7 @@
 
 #include "skein/base/check.h"
 #include "skein/base/time.h"
-#include "skein/data/type_traits.h"
+#include "skein/data/describe/type_traits.h"
 #include "skein/link/mavlink/frame.h"
 #include "skein/link/mavlink/frame_parser.h"
 #include "skein/link/mavlink/payload.h"

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
 #include "skein/link/modem/stream_frames.h"
 
 namespace skein::modem::datagram_test {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
 
 namespace skein::modem::modem_peer_test {
 namespace {

@@ -10,7 +10,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace skein;
-  using namespace skein::physics_link;
+  using namespace skein::physics;
   std::size_t out = 0;
   mavlink::FrameParser sent;
   HilSession session(1, 200, [&](std::span<const std::byte> bytes) {

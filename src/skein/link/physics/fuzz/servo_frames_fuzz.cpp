@@ -11,7 +11,7 @@
 #include "skein/link/physics/ardupilot_json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace skein::physics_link;
+  using namespace skein::physics;
   ServoFollower follower;
   std::optional<std::uint32_t> before;
   // Pieces that begin with their length.

@@ -16,7 +16,7 @@
 #include "skein/link/physics/test/servo_datagram.h"
 #include "skein/link/physics/test/sitl_reader.h"
 
-namespace skein::physics_link::ardupilot_backend_test {
+namespace skein::physics::ardupilot_backend_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -347,4 +347,4 @@ TEST(ArduPilotBackend, ServesSeveralProgramsOfOneProcess) {
 }
 
 }  // namespace
-}  // namespace skein::physics_link::ardupilot_backend_test
+}  // namespace skein::physics::ardupilot_backend_test

@@ -17,7 +17,7 @@
 #include "skein/link/physics/test/servo_datagram.h"
 #include "skein/link/physics/test/sitl_reader.h"
 
-namespace skein::physics_link::ardupilot_drive_test {
+namespace skein::physics::ardupilot_drive_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -186,4 +186,4 @@ TEST(SitlPlace, IsWhereTheFrameMeans) {
 }
 
 }  // namespace
-}  // namespace skein::physics_link::ardupilot_drive_test
+}  // namespace skein::physics::ardupilot_drive_test

@@ -9,7 +9,7 @@
 #include "skein/link/physics/test/servo_datagram.h"
 #include "skein/link/physics/test/sitl_reader.h"
 
-namespace skein::physics_link::ardupilot_json_test {
+namespace skein::physics::ardupilot_json_test {
 namespace {
 
 using namespace std::string_literals;
@@ -190,4 +190,4 @@ TEST(ServoFollower, GoesOnWhenTheCountGoesRound) {
 }
 
 }  // namespace
-}  // namespace skein::physics_link::ardupilot_json_test
+}  // namespace skein::physics::ardupilot_json_test

@@ -5,9 +5,9 @@
 #include <array>
 #include <limits>
 
-#include "skein/data/control.h"
+#include "skein/data/vehicle/control.h"
 
-namespace skein::physics_link::channel_map_test {
+namespace skein::physics::channel_map_test {
 namespace {
 
 using Make = ChannelMap::Make;
@@ -93,4 +93,4 @@ TEST(ChannelMap, BoundsWhatItIsGiven) {
 }
 
 }  // namespace
-}  // namespace skein::physics_link::channel_map_test
+}  // namespace skein::physics::channel_map_test

@@ -5,7 +5,7 @@
 #include "skein/base/math.h"
 #include "skein/geo/rotation.h"
 
-namespace skein::physics_link::earth_field_test {
+namespace skein::physics::earth_field_test {
 namespace {
 
 // What maps of the field show, as far as a dipole goes.
@@ -28,4 +28,4 @@ TEST(EarthField, TakesADeclination) {
 }
 
 }  // namespace
-}  // namespace skein::physics_link::earth_field_test
+}  // namespace skein::physics::earth_field_test

@@ -15,7 +15,7 @@
 
 #include "skein/link/mavlink/frame_writer.h"
 
-namespace skein::physics_link::hil_drive_test {
+namespace skein::physics::hil_drive_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -161,4 +161,4 @@ TEST(HilSensing, MeasuresTheMotion) {
 }
 
 }  // namespace
-}  // namespace skein::physics_link::hil_drive_test
+}  // namespace skein::physics::hil_drive_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace skein::physics_link::hil_session_test {
+namespace skein::physics::hil_session_test {
 namespace {
 
 // A session, what it sends, and frames of an autopilot to give to it.
@@ -154,4 +154,4 @@ TEST(HilSession, FindsFramesInBytesHoweverTheyAreCut) {
 }
 
 }  // namespace
-}  // namespace skein::physics_link::hil_session_test
+}  // namespace skein::physics::hil_session_test

@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-namespace skein::physics_link::hil_simulator_test {
+namespace skein::physics::hil_simulator_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -374,4 +374,4 @@ TEST(HilSimulator, ServesHardwareOverALineInRealTime) {
 }
 
 }  // namespace
-}  // namespace skein::physics_link::hil_simulator_test
+}  // namespace skein::physics::hil_simulator_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace skein::physics_link::hil_test {
+namespace skein::physics::hil_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -177,4 +177,4 @@ TEST(HilControlMessages, AreReadAndMadeSafe) {
 }
 
 }  // namespace
-}  // namespace skein::physics_link::hil_test
+}  // namespace skein::physics::hil_test

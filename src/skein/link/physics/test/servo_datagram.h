@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// A datagram as SITL sends it.
 inline std::string servo_datagram(std::uint32_t frame_count, std::size_t channels = 16,
@@ -26,4 +26,4 @@ inline std::string servo_datagram(std::uint32_t frame_count, std::size_t channel
   return text;
 }
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace skein::physics_link {
+namespace skein::physics {
 
 /// Reads lines as SITL 4.5 does: by looking for names. The text between the last two ends
 /// of lines counts; a name is looked for behind that of its section, anywhere; its value
@@ -88,4 +88,4 @@ class SitlReader {
   std::string held_;
 };
 
-}  // namespace skein::physics_link
+}  // namespace skein::physics

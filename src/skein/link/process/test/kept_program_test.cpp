@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <thread>
 
-namespace skein::child_process::kept_program_test {
+namespace skein::process::kept_program_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -72,4 +72,4 @@ TEST_F(KeptProgramTest, WhatIsNotThereFails) {
 }
 
 }  // namespace
-}  // namespace skein::child_process::kept_program_test
+}  // namespace skein::process::kept_program_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-namespace skein::child_process::process_test {
+namespace skein::process::process_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -219,4 +219,4 @@ TEST_F(ChildProcesses, NeverKeepTheirOwnerWaiting) {
 }
 
 }  // namespace
-}  // namespace skein::child_process::process_test
+}  // namespace skein::process::process_test

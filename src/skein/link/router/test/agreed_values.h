@@ -10,8 +10,8 @@
 #include <tuple>
 #include <type_traits>
 
-#include "skein/data/describe.h"
-#include "skein/data/type_traits.h"
+#include "skein/data/describe/describe.h"
+#include "skein/data/describe/type_traits.h"
 #include "skein/link/mavlink/payload.h"
 
 /// Values of messages that two programs know of each other without having been told:

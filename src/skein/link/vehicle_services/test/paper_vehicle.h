@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/vehicle_request.h"
+#include "skein/data/vehicle/vehicle_request.h"
 #include "skein/link/vehicle_services/vehicle_snapshot.h"
 
 namespace skein::vehicle_services {

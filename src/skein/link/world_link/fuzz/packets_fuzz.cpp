@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "skein/base/check.h"
-#include "skein/data/entity_input.h"
-#include "skein/data/entity_report.h"
-#include "skein/data/walk.h"
-#include "skein/data/wire.h"
+#include "skein/data/describe/walk.h"
+#include "skein/data/describe/wire.h"
+#include "skein/data/vehicle/entity_input.h"
+#include "skein/data/vehicle/entity_report.h"
 #include "skein/link/world_link/session.h"
 #include "skein/link/world_link/team_link.h"
 

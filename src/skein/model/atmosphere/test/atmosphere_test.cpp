@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 
 namespace skein::model::atmosphere_test {
 namespace {

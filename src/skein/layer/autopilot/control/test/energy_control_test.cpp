@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 
 namespace skein::autopilot::energy_control_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 
 namespace skein::autopilot::multirotor_control_test {
 namespace {

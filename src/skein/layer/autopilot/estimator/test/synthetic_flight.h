@@ -6,8 +6,8 @@
 #include <deque>
 
 #include "skein/base/random.h"
-#include "skein/data/air.h"
-#include "skein/data/sensing.h"
+#include "skein/data/vehicle/air.h"
+#include "skein/data/vehicle/sensing.h"
 #include "skein/layer/autopilot/estimator/error_state.h"
 #include "skein/layer/autopilot/estimator/flight_estimator.h"
 

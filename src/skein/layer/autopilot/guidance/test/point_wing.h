@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skein/data/air.h"
+#include "skein/data/vehicle/air.h"
 #include "skein/layer/autopilot/guidance/fixed_wing_guidance.h"
 
 namespace skein::autopilot {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "skein/data/json.h"
+#include "skein/data/describe/json.h"
 #include "skein/geo/rotation.h"
 
 namespace skein::hmi::foxglove {

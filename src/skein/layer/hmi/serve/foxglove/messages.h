@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "skein/data/live.h"
+#include "skein/data/event/live.h"
 #include "skein/geo/local_frame.h"
 
 namespace skein::hmi::foxglove {

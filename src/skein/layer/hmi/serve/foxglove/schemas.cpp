@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "skein/data/json.h"
-#include "skein/data/live.h"
+#include "skein/data/describe/json.h"
+#include "skein/data/event/live.h"
 
 namespace skein::hmi::foxglove {
 namespace {

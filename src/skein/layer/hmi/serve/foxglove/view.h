@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/live.h"
+#include "skein/data/event/live.h"
 #include "skein/layer/hmi/serve/foxglove/messages.h"
 #include "skein/layer/hmi/serve/foxglove/protocol.h"
 

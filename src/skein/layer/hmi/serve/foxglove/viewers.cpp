@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
 
 namespace skein::hmi::foxglove {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/live.h"
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
+#include "skein/data/event/live.h"
 
 // A client of the live feed, for tests: waits for what it asks for, as nobody else does.
 namespace skein::hmi {

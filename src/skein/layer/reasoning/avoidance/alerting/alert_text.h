@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "skein/data/alert.h"
+#include "skein/data/traffic/alert.h"
 
 namespace skein::reasoning {
 

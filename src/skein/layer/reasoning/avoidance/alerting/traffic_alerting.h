@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/agent_step.h"
+#include "skein/data/vehicle/agent_step.h"
 #include "skein/layer/reasoning/belief/traffic/traffic_tracker.h"
 #include "skein/model/well_clear/band_advisor.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "skein/data/flight_plan.h"
+#include "skein/data/vehicle/flight_plan.h"
 
 namespace skein::reasoning {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/flight_plan.h"
-#include "skein/data/message.h"
-#include "skein/data/separation.h"
+#include "skein/data/radio/message.h"
+#include "skein/data/traffic/separation.h"
+#include "skein/data/vehicle/flight_plan.h"
 
 namespace skein::reasoning {
 

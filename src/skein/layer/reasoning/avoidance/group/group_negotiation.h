@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "skein/data/message.h"
+#include "skein/data/radio/message.h"
 #include "skein/layer/reasoning/avoidance/pairwise/pair_negotiation.h"
 
 namespace skein::reasoning {

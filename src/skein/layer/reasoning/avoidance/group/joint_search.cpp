@@ -11,8 +11,8 @@
 
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/repair.h"
 
 namespace skein::reasoning {
 namespace {
@@ -28,7 +28,7 @@ class JointSearch {
     for (std::size_t i = 0; i < pools_.size(); ++i) {
       const FlightPlan& plan = problem.members[i].flight.plan;
       JointChoice going_on;
-      going_on.flight = planning::part_of(plan, problem.begin, model::end_time_of(plan));
+      going_on.flight = solve::part_of(plan, problem.begin, model::end_time_of(plan));
       pools_[i].push_back(std::move(going_on));
     }
     chosen_.assign(pools_.size(), 0);
@@ -101,7 +101,7 @@ class JointSearch {
   // What a member can do about a conflict, added to its pool.
   void make(std::size_t who, const NegotiatedConflict& conflict, double strength) {
     const JointProblem::Member& member = problem_.members[who];
-    const FlightPlan part = planning::part_of(
+    const FlightPlan part = solve::part_of(
         member.flight.plan, model::start_of(member.flight.plan), member.flight.rejoins);
     const ConflictOfFlight about{part,
                                  member.flight.limits,

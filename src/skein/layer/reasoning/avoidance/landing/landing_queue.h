@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/message.h"
+#include "skein/data/radio/message.h"
 
 namespace skein::reasoning {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/separation.h"
+#include "skein/data/traffic/separation.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/manoeuvred_flight.h"
 #include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"

@@ -3,9 +3,9 @@
 #include <memory>
 #include <span>
 
-#include "skein/data/airspace.h"
-#include "skein/layer/reasoning/planning/search/airspace_map.h"
+#include "skein/data/airspace/airspace.h"
 #include "skein/role/path_planner.h"
+#include "skein/solve/path/airspace_map.h"
 
 namespace skein::reasoning {
 
@@ -21,7 +21,7 @@ class FlightCheck {
     if (!map_) {
       airspace_.zones.assign(zones_.begin(), zones_.end());
       query_.airspace = &airspace_;
-      map_ = std::make_unique<planning::AirspaceMap>(query_);
+      map_ = std::make_unique<solve::AirspaceMap>(query_);
     }
     return map_->is_free(flight);
   }
@@ -30,7 +30,7 @@ class FlightCheck {
   PathQuery query_;
   std::span<const Zone> zones_;
   Airspace airspace_;
-  std::unique_ptr<planning::AirspaceMap> map_;
+  std::unique_ptr<solve::AirspaceMap> map_;
 };
 
 }  // namespace skein::reasoning

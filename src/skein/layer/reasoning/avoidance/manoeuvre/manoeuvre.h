@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "skein/data/separation.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/traffic/separation.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein::reasoning {
 

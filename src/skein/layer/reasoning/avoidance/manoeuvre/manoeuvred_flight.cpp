@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skein/layer/reasoning/planning/search/link.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/link.h"
+#include "skein/solve/path/repair.h"
 
 namespace skein::reasoning {
 namespace {
@@ -23,7 +23,7 @@ class Maker {
       : conflict_(conflict), end_(model::end_time_of(conflict.plan)) {
     query_.limits = conflict.limits;
     query_.wind = wind;
-    goal_ = planning::state_after(conflict.plan);
+    goal_ = solve::state_after(conflict.plan);
   }
 
   std::optional<FlightPlan> direct() const {
@@ -47,7 +47,7 @@ class Maker {
     return {m.p_N, m.heading};
   }
   FlightPlan kept_until(double time) const {
-    return planning::part_of(conflict_.plan, conflict_.begin, time);
+    return solve::part_of(conflict_.plan, conflict_.begin, time);
   }
   bool go(FlightPlan& flight, model::FlightMoment from, double start,
           const FlightState& to) const;
@@ -80,9 +80,9 @@ bool Maker::go(FlightPlan& flight, model::FlightMoment from, double start,
     from = model::end_of(level_off);
   }
   const FlightState state{from.p_N, from.heading};
-  const planning::Link link = planning::link(state, to, query_);
+  const solve::Link link = solve::link(state, to, query_);
   if (!std::isfinite(link.duration)) return false;
-  const FlightPlan more = planning::to_flight_plan(link, state, start, query_);
+  const FlightPlan more = solve::to_flight_plan(link, state, start, query_);
   flight.insert(flight.end(), more.begin(), more.end());
   return true;
 }
@@ -132,7 +132,7 @@ std::optional<FlightPlan> Maker::up(double height, double lead) const {
   const double level_until = std::min(conflict_.apart + kLevelAfter, end_);
   if (left_at + climb > level_until) return std::nullopt;
   FlightPlan flight = kept_until(left_at);
-  const FlightPlan beside = planning::part_of(conflict_.plan, left_at, level_until);
+  const FlightPlan beside = solve::part_of(conflict_.plan, left_at, level_until);
   if (beside.empty()) return std::nullopt;
   const FlightPlan higher = model::climbing(
       beside, beside.front().p_N.z(),
@@ -200,7 +200,7 @@ std::optional<FlightPlan> Maker::turned_on(const PresentMotion& present, double 
 
 Maker maker_of(const ConflictOfFlight& conflict) {
   const FlightPlan rest =
-      planning::part_of(conflict.plan, conflict.begin, model::end_time_of(conflict.plan));
+      solve::part_of(conflict.plan, conflict.begin, model::end_time_of(conflict.plan));
   return {conflict, rest.front().wind};
 }
 
@@ -245,8 +245,8 @@ std::optional<FlightPlan> manoeuvred(const Manoeuvre& manoeuvre,
                                      const ConflictOfFlight& conflict) {
   if (!begins_in_plan(conflict)) return std::nullopt;
   if (manoeuvre.kind == ManoeuvreKind::kGoOn)
-    return planning::part_of(conflict.plan, conflict.begin,
-                             model::end_time_of(conflict.plan));
+    return solve::part_of(conflict.plan, conflict.begin,
+                          model::end_time_of(conflict.plan));
   const auto flight = made(manoeuvre, conflict);
   return flight && within(*flight, conflict.limits) ? flight : std::nullopt;
 }

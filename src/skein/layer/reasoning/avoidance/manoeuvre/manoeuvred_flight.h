@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "skein/data/flight_plan.h"
+#include "skein/data/vehicle/flight_plan.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/manoeuvre.h"
 
 namespace skein::reasoning {

@@ -2,14 +2,14 @@
 
 #include <optional>
 
-#include "skein/data/airspace.h"
+#include "skein/data/airspace/airspace.h"
 #include "skein/role/path_planner.h"
 
 namespace skein::reasoning {
 
 /// The flight from a time on, planned around what is in its way, and what comes of the
 /// plan after that: it is met again at `rejoins` and flown as much later as that takes
-/// longer (planning::repair).
+/// longer (solve::repair).
 ///
 /// @param begin, rejoins  times of the plan [s].
 /// @param query     limits and ground count; start, goal and wind are the plan's.

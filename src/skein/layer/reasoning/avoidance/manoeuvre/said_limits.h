@@ -1,7 +1,7 @@
 #pragma once
 
-#include "skein/data/separation_message.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/team/separation_message.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein::reasoning {
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "skein/data/flight_plan.h"
-#include "skein/data/separation.h"
+#include "skein/data/traffic/separation.h"
+#include "skein/data/vehicle/flight_plan.h"
 
 namespace skein::reasoning {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "skein/data/flight_plan.h"
+#include "skein/data/vehicle/flight_plan.h"
 
 namespace skein::reasoning {
 

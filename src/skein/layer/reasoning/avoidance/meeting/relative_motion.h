@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "skein/data/separation.h"
+#include "skein/data/traffic/separation.h"
 #include "skein/geo/vec.h"
 
 namespace skein::reasoning {

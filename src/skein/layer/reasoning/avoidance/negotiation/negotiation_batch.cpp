@@ -5,7 +5,7 @@
 #include <iterator>
 #include <set>
 
-#include "skein/data/strict_json.h"
+#include "skein/data/describe/strict_json.h"
 
 namespace skein::reasoning {
 namespace {

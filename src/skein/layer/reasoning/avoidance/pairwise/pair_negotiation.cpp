@@ -8,8 +8,8 @@
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/said_limits.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/repair.h"
 
 namespace skein::reasoning {
 namespace {
@@ -25,7 +25,7 @@ ConflictOfFlight about(const FlightPlan& plan, const FlightLimits& limits,
 }
 
 FlightPlan until_rejoining(const NegotiatingFlight& flight) {
-  return planning::part_of(flight.plan, model::start_of(flight.plan), flight.rejoins);
+  return solve::part_of(flight.plan, model::start_of(flight.plan), flight.rejoins);
 }
 
 Manoeuvre manoeuvre_of(const OfferedManoeuvre& offered) {

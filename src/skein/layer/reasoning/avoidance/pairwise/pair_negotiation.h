@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/message.h"
+#include "skein/data/radio/message.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/candidates.h"
 #include "skein/layer/reasoning/avoidance/negotiation/deal.h"
 

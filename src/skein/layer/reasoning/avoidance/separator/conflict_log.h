@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "skein/data/separation_message.h"
+#include "skein/data/team/separation_message.h"
 #include "skein/layer/reasoning/avoidance/flights/conflicts.h"
 
 namespace skein::reasoning {

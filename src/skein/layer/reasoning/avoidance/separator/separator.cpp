@@ -7,9 +7,9 @@
 #include "skein/base/math.h"
 #include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_code.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/repair.h"
 
 namespace skein::reasoning {
 namespace {
@@ -167,7 +167,7 @@ bool Separator::solve(const SeparationStep& step, const Conflict& conflict) {
 // Flies another way from `begin` on; what comes after `rejoins` as much later.
 void Separator::adopt(const FlightPlan& flight, const Change& change, Time now) {
   const double old_end = model::end_time_of(own_.plan);
-  FlightPlan plan = planning::part_of(
+  FlightPlan plan = solve::part_of(
       own_.plan, std::max(now.seconds(), model::start_of(own_.plan)), change.begin);
   plan.insert(plan.end(), flight.begin(), flight.end());
   const double later = model::end_time_of(flight) - old_end;

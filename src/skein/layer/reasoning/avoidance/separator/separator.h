@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/airspace.h"
-#include "skein/data/message.h"
+#include "skein/data/airspace/airspace.h"
+#include "skein/data/radio/message.h"
 #include "skein/layer/reasoning/avoidance/flights/conflicts.h"
 #include "skein/layer/reasoning/avoidance/flights/execution_errors.h"
 #include "skein/layer/reasoning/avoidance/flights/held_circle.h"

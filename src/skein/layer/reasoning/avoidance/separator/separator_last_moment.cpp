@@ -8,10 +8,10 @@
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/climb_profile.h"
 #include "skein/model/path/flight_plan.h"
 #include "skein/role/terrain.h"
+#include "skein/solve/path/repair.h"
 
 // What each does at the last moment, when nothing can be said any more.
 
@@ -114,7 +114,7 @@ std::optional<FlightPlan> Separator::flight_aside(const SeparationStep& step,
   const double height = (up ? 1 : -1) * kHeights * conflict.separation.vertical;
   const double climb = safe_altitude(step, course, -step.p_N.z() + height) + step.p_N.z();
   const NegotiatingFlight own = leaving_for(conflict, step.query);
-  const FlightPlan part = planning::part_of(own_.plan, now, own.rejoins);
+  const FlightPlan part = solve::part_of(own_.plan, now, own.rejoins);
   if (part.empty()) return std::nullopt;
   const double rate = climb > 0 ? own.limits.climb_rate : own.limits.sink_rate;
   const double lasts =

@@ -9,8 +9,8 @@
 #include "skein/layer/reasoning/avoidance/rules/rule_flight.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/repair.h"
 
 // What each of two does alone: by priority, by rule, in evasion.
 
@@ -218,7 +218,7 @@ bool Separator::apart_from_others(const SeparationStep& step, const Conflict& co
     if (const auto expected = each.expected(step.now);
         expected.plan && (!higher_only || !has_way_over(each, step.now)))
       others.push_back({expected.plan, separation_of(own_, each, expected.unknown)});
-  const FlightPlan part = planning::part_of(own_.plan, begin, own.rejoins);
+  const FlightPlan part = solve::part_of(own_.plan, begin, own.rejoins);
   if (part.empty()) return false;
   FlightCheck check(step.query, step.zones);
   const ConflictOfFlight of_flight{part,      own.limits, c.begin,     c.meets,
@@ -255,7 +255,7 @@ bool Separator::by_evasion(const SeparationStep& step, const Conflict& conflict)
     return false;
   const double begin = begin_of_action(conflict, step.now);
   const NegotiatingFlight own = leaving_for(conflict, step.query);
-  const FlightPlan part = planning::part_of(own_.plan, begin, own.rejoins);
+  const FlightPlan part = solve::part_of(own_.plan, begin, own.rejoins);
   if (part.empty()) return false;
   FlightCheck check(step.query, step.zones);
   const std::vector<KnownFlight> others = known_but(self_, step.now);  // all others

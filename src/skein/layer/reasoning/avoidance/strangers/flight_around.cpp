@@ -10,8 +10,8 @@
 #include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/repair.h"
 
 namespace skein::reasoning {
 namespace {
@@ -35,7 +35,7 @@ class Around {
  public:
   Around(const StrangerView& view, double begin)
       : view_(view),
-        part_(planning::part_of(view.plan, begin, view.rejoins)),
+        part_(solve::part_of(view.plan, begin, view.rejoins)),
         begin_(begin),
         meetings_(meetings_with(view)),
         zones_(zones_with_rooms(view, meetings_)),

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
-#include "skein/data/airspace.h"
-#include "skein/data/flight_plan.h"
-#include "skein/data/separation.h"
+#include "skein/data/airspace/airspace.h"
+#include "skein/data/traffic/separation.h"
+#include "skein/data/vehicle/flight_plan.h"
 
 namespace skein::reasoning {
 

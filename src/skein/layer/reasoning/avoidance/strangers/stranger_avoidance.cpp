@@ -7,8 +7,8 @@
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/layer/reasoning/avoidance/strangers/escape.h"
 #include "skein/layer/reasoning/avoidance/strangers/flight_around.h"
-#include "skein/layer/reasoning/planning/search/link.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/link.h"
 
 namespace skein::reasoning {
 namespace {
@@ -25,10 +25,10 @@ FlightPlan plan_from_here(const StrangerView& view) {
   const model::FlightMoment to = model::moment_at(view.plan, view.rejoins);
   const FlightState here{view.p_N,
                          geo::bearing(Vec2(view.v_N.head<2>() - view.query.wind))};
-  const planning::Link link =
-      planning::link(here, {to.p_N, geo::wrap_pi(to.heading)}, view.query);
+  const solve::Link link =
+      solve::link(here, {to.p_N, geo::wrap_pi(to.heading)}, view.query);
   if (!std::isfinite(link.duration)) return {};
-  return planning::to_flight_plan(link, here, view.now, view.query);
+  return solve::to_flight_plan(link, here, view.now, view.query);
 }
 
 }  // namespace

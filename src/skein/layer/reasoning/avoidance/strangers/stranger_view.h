@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "skein/data/airspace.h"
+#include "skein/data/airspace/airspace.h"
 #include "skein/layer/reasoning/avoidance/strangers/stranger.h"
 #include "skein/role/path_planner.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "skein/data/message.h"
+#include "skein/data/radio/message.h"
 
 namespace skein::reasoning {
 

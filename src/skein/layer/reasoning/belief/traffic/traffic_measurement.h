@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "skein/base/time.h"
-#include "skein/data/traffic.h"
+#include "skein/data/traffic/traffic.h"
 #include "skein/geo/rotation.h"
 
 namespace skein::reasoning {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "skein/data/task.h"
+#include "skein/data/team/task.h"
 #include "skein/layer/reasoning/mission/tasking_mission.h"
 
 namespace skein::reasoning {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "skein/layer/reasoning/planning/tasks/patrol.h"
+#include "skein/solve/touring/patrol.h"
 
 namespace skein::reasoning {
 
@@ -28,7 +28,7 @@ MissionDemand PatrolMission::demand() const {
 }
 
 double PatrolMission::round_time(const Aircraft& aircraft) const {
-  planning::PatrolQuery query;
+  solve::PatrolQuery query;
   query.line = patrol_.line;
   query.closed = patrol_.closed;
   query.offset = patrol_.offset;
@@ -36,7 +36,7 @@ double PatrolMission::round_time(const Aircraft& aircraft) const {
   query.starts = {{aircraft.nav.p_N, aircraft.nav.heading}};
   query.limits = *aircraft.limits;
   query.wind = aircraft.nav.wind_N;
-  return planning::plan_patrol(query).round_time;
+  return solve::plan_patrol(query).round_time;
 }
 
 void PatrolMission::pursue(const AgentInput& in, AgentOutput& out) {

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "skein/geo/polygon.h"
-#include "skein/layer/reasoning/planning/tasks/coverage.h"
-#include "skein/layer/reasoning/planning/tasks/survey_sharing.h"
 #include "skein/layer/reasoning/trajectory/flight_context.h"
 #include "skein/layer/reasoning/trajectory/grown_zone.h"
 #include "skein/layer/reasoning/trajectory/level_out.h"
+#include "skein/solve/coverage/coverage.h"
+#include "skein/solve/coverage/survey_sharing.h"
 
 namespace skein::reasoning {
 namespace {
@@ -111,7 +111,7 @@ void SurveyMission::pursue(const AgentInput& in, AgentOutput& out) {
 
 void SurveyMission::plan(Time now, AgentOutput& out) {
   const std::vector<Aircraft*> who = own();
-  planning::CoverageQuery query;
+  solve::CoverageQuery query;
   query.area = options_.survey.area;
   query.holes = options_.survey.holes;
   query.swath = options_.survey.swath;
@@ -131,7 +131,7 @@ void SurveyMission::plan(Time now, AgentOutput& out) {
     start.p_N.z() = who.front()->nav.p_N.z();
     query.aircraft.push_back({start, std::nullopt});
   }
-  const planning::CoverageResult result = planning::plan_coverage(query);
+  const solve::CoverageResult result = solve::plan_coverage(query);
   if (result.line_ends.empty()) {
     if (std::exchange(why_not_, result.reason) != result.reason)
       out.events.push_back(
@@ -214,7 +214,7 @@ void SurveyMission::share_anew(Time now, AgentOutput& out) {
     before = std::max(before,
                       each.time_to_go.value_or(std::numeric_limits<double>::infinity()));
   }
-  planning::SurveyShares shares = planning::share_survey(lines, starts, limits(), wind());
+  solve::SurveyShares shares = solve::share_survey(lines, starts, limits(), wind());
   for (std::size_t a = 0; a < who.size(); ++a) {
     double duration = shares.durations[a];
     if (!first[a].empty())

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/zone_set.h"
+#include "skein/data/airspace/zone_set.h"
 #include "skein/layer/reasoning/mission/tasking_mission.h"
 #include "skein/role/path_planner.h"
 
@@ -22,7 +22,7 @@ struct SurveyMissionOptions {
 /// Sees all of an area with the aircraft it is given.
 ///
 /// Lines are planned for all of them, so that they are done as early as possible
-/// (planning::plan_coverage), with the mean of the wind that they believe in. What an
+/// (solve::plan_coverage), with the mean of the wind that they believe in. What an
 /// aircraft leaves that is lost or taken away is shared among the others with what these
 /// have left, and a share of it goes to one that comes later or has no line left, where
 /// the survey ends earlier for it. Who is on a line flies it to its end first.

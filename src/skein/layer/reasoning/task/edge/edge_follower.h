@@ -3,9 +3,9 @@
 #include <deque>
 #include <optional>
 
-#include "skein/data/fire.h"
-#include "skein/data/sensing.h"
-#include "skein/data/task.h"
+#include "skein/data/perimeter/fire.h"
+#include "skein/data/team/task.h"
+#include "skein/data/vehicle/sensing.h"
 #include "skein/layer/reasoning/task/edge/local_edge.h"
 
 namespace skein::reasoning {

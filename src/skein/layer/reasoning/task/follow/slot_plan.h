@@ -1,7 +1,7 @@
 #pragma once
 
-#include "skein/data/plan.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/plan.h"
+#include "skein/data/vehicle/vehicle.h"
 
 namespace skein::reasoning {
 

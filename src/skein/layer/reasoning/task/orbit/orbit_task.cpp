@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "skein/layer/reasoning/planning/tasks/orbit.h"
-#include "skein/layer/reasoning/planning/tasks/standoff.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/target/orbit.h"
+#include "skein/solve/target/standoff.h"
 
 namespace skein::reasoning {
 namespace {
@@ -29,22 +29,22 @@ FlightLimits circling_limits(FlightLimits limits) {
 double small_radius(const FlightLimits& limits) {
   const double slow =
       limits.slowest > 0 ? circling_limits(limits).slowest : limits.airspeed;
-  return kReserve * planning::turn_radius_at(slow, limits);
+  return kReserve * solve::turn_radius_at(slow, limits);
 }
 
 // The orbit as asked for; where its circle is too tight for the wind and the target, the
 // smallest one, or S-turns if these stay nearer to the target.
 // @param round  a circle is asked for, of that radius.
-planning::OrbitResult nearest_orbit(planning::OrbitQuery query, bool round) {
-  planning::OrbitResult asked = planning::plan_orbit(query);
-  if (asked.outcome != planning::OrbitOutcome::kRadiusTooSmall || asked.min_radius <= 0)
+solve::OrbitResult nearest_orbit(solve::OrbitQuery query, bool round) {
+  solve::OrbitResult asked = solve::plan_orbit(query);
+  if (asked.outcome != solve::OrbitOutcome::kRadiusTooSmall || asked.min_radius <= 0)
     return asked;
   query.radius = kRoom * asked.min_radius;
-  planning::OrbitResult circle = planning::plan_orbit(query);
+  solve::OrbitResult circle = solve::plan_orbit(query);
   if (round || query.limits.slowest <= 0) return circle;
-  query.kind = planning::OrbitKind::kWeave;
+  query.kind = solve::OrbitKind::kWeave;
   query.limits.airspeed = query.limits.slowest;
-  planning::OrbitResult weave = planning::plan_orbit(query);
+  solve::OrbitResult weave = solve::plan_orbit(query);
   return !weave.plan.empty() && weave.farthest < kClearly * query.radius ? weave : circle;
 }
 
@@ -94,8 +94,8 @@ const FlightIntent* OrbitTask::before(const TaskStep& step, AgentOutput& out) {
 
 PlannedTask::Part OrbitTask::plan_part(const Start& start, const TaskStep& step) {
   const Time begin = Time::from_seconds(start.time);
-  planning::OrbitQuery query;
-  query.kind = order_.weave ? planning::OrbitKind::kWeave : planning::OrbitKind::kCircle;
+  solve::OrbitQuery query;
+  query.kind = order_.weave ? solve::OrbitKind::kWeave : solve::OrbitKind::kCircle;
   query.target.at = {start.time, target_at(step, begin)};
   query.target.velocity = target_velocity(step);
   query.radius = radius_;
@@ -106,7 +106,7 @@ PlannedTask::Part OrbitTask::plan_part(const Start& start, const TaskStep& step)
   query.start = start.state;
   query.limits = circling_limits(start.limits);
   query.wind = start.wind;
-  planning::OrbitResult result = nearest_orbit(query, order_.radius > 0);
+  solve::OrbitResult result = nearest_orbit(query, order_.radius > 0);
   aimed_at_ = step.in.now;
   aim_ = target_at(step, step.in.now);
   aim_velocity_ = query.target.velocity;

@@ -6,7 +6,7 @@
 
 namespace skein::reasoning {
 
-/// Stays with a point or an object on a circle or in S-turns (planning::plan_orbit), by
+/// Stays with a point or an object on a circle or in S-turns (solve::plan_orbit), by
 /// where the object is believed to be and how it moves; planned anew when it is found to
 /// be elsewhere than was planned for, or when a part of the orbit comes to its end. While
 /// a no-fly zone leaves no room for it, it circles as near as it can. Gimbals look at it.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "skein/layer/reasoning/planning/tasks/patrol.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/touring/patrol.h"
 
 namespace skein::reasoning {
 namespace {
@@ -19,7 +19,7 @@ PlannedTask::Part PatrolTask::plan_part(const Start& start, const TaskStep&) {
     planned_ = rounds_;
     ends_round_.clear();
   }
-  planning::PatrolQuery query;
+  solve::PatrolQuery query;
   query.line = order_.line;
   query.closed = order_.closed;
   query.offset = order_.offset;
@@ -33,12 +33,12 @@ PlannedTask::Part PatrolTask::plan_part(const Start& start, const TaskStep&) {
   query.limits = start.limits;
   query.limits.slowest = query.limits.fastest = start.limits.airspeed;
   query.wind = start.wind;
-  planning::PatrolResult result = planning::plan_patrol(query);
+  solve::PatrolResult result = solve::plan_patrol(query);
   Part part;
   if (result.plans.empty() || result.plans.front().empty()) {
     part.why_not = result.reason;
-    part.never = result.outcome == planning::PatrolOutcome::kBadLine ||
-                 result.outcome == planning::PatrolOutcome::kBadPatrol;
+    part.never = result.outcome == solve::PatrolOutcome::kBadLine ||
+                 result.outcome == solve::PatrolOutcome::kBadPatrol;
     return part;
   }
   part.plan = std::move(result.plans.front());

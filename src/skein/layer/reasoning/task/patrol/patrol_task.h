@@ -5,7 +5,7 @@
 namespace skein::reasoning {
 
 /// Flies along a line again and again, offset from it, corners rounded as far as the
-/// line stays near (planning::plan_patrol); a few rounds are planned at a time, with the
+/// line stays near (solve::plan_patrol); a few rounds are planned at a time, with the
 /// wind as it then is.
 class PatrolTask final : public PlannedTask {
  public:

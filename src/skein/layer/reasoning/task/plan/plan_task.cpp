@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "skein/layer/reasoning/planning/tasks/join.h"
-#include "skein/layer/reasoning/planning/tasks/timed_flight.h"
 #include "skein/model/path/flight_plan.h"
 #include "skein/model/path/wind_triangle.h"
+#include "skein/solve/path/join.h"
+#include "skein/solve/target/timed_flight.h"
 
 namespace skein::reasoning {
 namespace {
@@ -22,13 +22,13 @@ constexpr double kSameSpeed = 1e-3;  // [m/s]
 
 // To a place at a time, or as soon after as can be, with a course over ground there: the
 // heading for it depends on the airspeed, which is known only with the way.
-FlightPlan way_in_time(planning::TimedLeg leg, double course, double time) {
-  planning::TimedFlight flight;
+FlightPlan way_in_time(solve::TimedLeg leg, double course, double time) {
+  solve::TimedFlight flight;
   double airspeed = leg.limits.airspeed;
   for (int i = 0; i < kAirspeeds; ++i) {
-    flight = planning::arrive_at(leg, time);
-    if (flight.status == planning::TimedStatus::kGap)
-      flight = planning::arrive_at(leg, flight.next);
+    flight = solve::arrive_at(leg, time);
+    if (flight.status == solve::TimedStatus::kGap)
+      flight = solve::arrive_at(leg, flight.next);
     if (flight.plan.empty() || std::abs(flight.airspeed - airspeed) < kSameSpeed) break;
     airspeed = flight.airspeed;
     leg.to.heading =
@@ -59,7 +59,7 @@ PlannedTask::Part PlanTask::plan_part(const Start& start, const TaskStep&) {
   const FlightState begin{rest.front().p_N, model::heading_for_course(
                                                 course, start.limits.airspeed, start.wind)
                                                 .value_or(rest.front().heading)};
-  part.plan = planning::join(start.state, begin, start.limits, start.wind, start.time);
+  part.plan = solve::join(start.state, begin, start.limits, start.wind, start.time);
   const bool there = (start.state.p_N - begin.p_N).norm() < 1;
   if (part.plan.empty() && !there) {
     part.why_not = "there is no path to the start of the plan in this wind";

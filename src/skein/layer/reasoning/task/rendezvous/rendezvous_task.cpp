@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skein/layer/reasoning/planning/tasks/timed_flight.h"
 #include "skein/model/path/wind_triangle.h"
+#include "skein/solve/target/timed_flight.h"
 
 namespace skein::reasoning {
 namespace {
@@ -43,7 +43,7 @@ PlannedTask::Part RendezvousTask::plan_part(const Start& start, const TaskStep&)
   const Vec2 to = order_.point - here;
   const double course =
       order_.course.value_or(to.norm() > 1 ? geo::bearing(to) : start.state.heading);
-  planning::TimedLeg leg;
+  solve::TimedLeg leg;
   leg.from = start.state;
   leg.to = {{order_.point.x(), order_.point.y(), start.state.p_N.z()},
             model::heading_for_course(course, start.limits.airspeed, start.wind)
@@ -53,13 +53,13 @@ PlannedTask::Part RendezvousTask::plan_part(const Start& start, const TaskStep&)
   leg.limits.slowest = std::max(leg.limits.slowest, kSlowest * leg.limits.airspeed);
   leg.wind = start.wind;
   const double asked = order_.time.seconds();
-  planning::TimedFlight flight = planning::arrive_at(leg, asked);
+  solve::TimedFlight flight = solve::arrive_at(leg, asked);
   double time = asked;
   for (int k = 0; k < kTries && flight.plan.empty(); ++k) {
-    if (flight.status == planning::TimedStatus::kNoConnection) break;
+    if (flight.status == solve::TimedStatus::kNoConnection) break;
     time = std::max(
         {time + kGap, flight.earliest, std::isfinite(flight.next) ? flight.next : 0});
-    flight = planning::arrive_at(leg, time);
+    flight = solve::arrive_at(leg, time);
   }
   Part part;
   part.plan = std::move(flight.plan);

@@ -5,7 +5,7 @@
 namespace skein::reasoning {
 
 /// Is at a point at a time: by its airspeed as far as that goes, then by detours
-/// (planning::arrive_at); as soon as it can, with an event "late", when that is later.
+/// (solve::arrive_at); as soon as it can, with an event "late", when that is later.
 /// Then it stays there.
 class RendezvousTask final : public PlannedTask {
  public:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "skein/layer/reasoning/planning/tasks/zone_lines.h"
+#include "skein/solve/coverage/zone_lines.h"
 
 namespace skein::reasoning {
 namespace {
@@ -15,14 +15,14 @@ double length_of(const SurveyLine& line) {
 }
 
 // Divides a line into what can be flown, ends included, and the rest.
-void divide(const SurveyLine& line, const planning::ZoneRings& zones,
-            const planning::ZoneRoom& room, std::vector<SurveyLine>& free,
+void divide(const SurveyLine& line, const solve::ZoneRings& zones,
+            const solve::ZoneRoom& room, std::vector<SurveyLine>& free,
             std::vector<SurveyLine>& blocked) {
   const double length = length_of(line);
   const Vec2 along = (line.end - line.begin) / length;
-  std::vector<planning::Span> spans;
-  for (const planning::SweepLine& part :
-       planning::clear_of({{line.begin, line.end, 0}}, zones, room)) {
+  std::vector<solve::Span> spans;
+  for (const solve::SweepLine& part :
+       solve::clear_of({{line.begin, line.end, 0}}, zones, room)) {
     const double a = (part.a - line.begin).dot(along),
                  b = (part.b - line.begin).dot(along);
     spans.push_back({std::min(a, b), std::max(a, b)});
@@ -34,7 +34,7 @@ void divide(const SurveyLine& line, const planning::ZoneRings& zones,
     if (to - from >= kShortest)
       parts.push_back({line.begin + from * along, line.begin + to * along, line.missed});
   };
-  for (const planning::Span& span : spans) {
+  for (const solve::Span& span : spans) {
     add(done, span.low, blocked);
     add(span.low, span.high, free);
     done = span.high;
@@ -71,7 +71,7 @@ void SurveyLines::regard(std::span<const Zone> zones, double turn_radius) {
   forbidden_.clear();
   std::vector<geo::Ring> rings;
   for (const Zone& zone : zones) rings.push_back(outline(zone));
-  const planning::ZoneRings borders(std::move(rings));
+  const solve::ZoneRings borders(std::move(rings));
   for (const SurveyLine& line : all) {
     if (zones.empty())
       left_.push_back(line);

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "skein/layer/reasoning/planning/tasks/coverage.h"
-#include "skein/layer/reasoning/planning/tasks/join.h"
 #include "skein/layer/reasoning/trajectory/grown_zone.h"
 #include "skein/layer/reasoning/trajectory/steering_flight.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/coverage/coverage.h"
+#include "skein/solve/path/join.h"
 
 namespace skein::reasoning {
 namespace {
@@ -101,7 +101,7 @@ const FlightIntent* SurveyTask::before(const TaskStep& step, AgentOutput&) {
 
 bool SurveyTask::plan_lines(const Start& start, const TaskStep& step,
                             std::string& why_not) {
-  planning::CoverageQuery query;
+  solve::CoverageQuery query;
   query.area = order_.area;
   query.holes = order_.holes;
   query.zones = grown_zones(step);
@@ -113,7 +113,7 @@ bool SurveyTask::plan_lines(const Start& start, const TaskStep& step,
   query.wind = start.wind;
   query.aircraft = {{start.state, std::nullopt}};
   query.planner = context().planner.get();
-  const planning::CoverageResult result = planning::plan_coverage(query);
+  const solve::CoverageResult result = solve::plan_coverage(query);
   if (result.line_ends.empty() || result.line_ends.front().empty()) {
     why_not =
         result.reason.empty() ? std::string(name_of(result.outcome)) : result.reason;
@@ -128,18 +128,18 @@ bool SurveyTask::plan_lines(const Start& start, const TaskStep& step,
 // long way round.
 FlightPlan SurveyTask::lead_to(const SurveyLine& line, const FlightState& from,
                                const Start& start, double now) {
-  const model::AirMotion air = planning::motion_of(start.limits, start.wind);
+  const model::AirMotion air = solve::motion_of(start.limits, start.wind);
   const double down = from.p_N.z();
-  const FlightElement along = planning::straight(line.begin, line.end, down, air, now);
+  const FlightElement along = solve::straight(line.begin, line.end, down, air, now);
   FlightPlan direct =
-      planning::join(from, {along.p_N, along.heading}, start.limits, start.wind, now);
+      solve::join(from, {along.p_N, along.heading}, start.limits, start.wind, now);
   const double early = settling(direct);
   if (early <= 0) return direct;
   const Vec2 back = early * start.limits.airspeed * (line.begin - line.end).normalized();
   const FlightElement onto =
-      planning::straight(line.begin + back, line.begin, down, air, now);
+      solve::straight(line.begin + back, line.begin, down, air, now);
   FlightPlan settled =
-      planning::join(from, {onto.p_N, onto.heading}, start.limits, start.wind, now);
+      solve::join(from, {onto.p_N, onto.heading}, start.limits, start.wind, now);
   if (model::duration(settled) > model::duration(direct) + early) return direct;
   model::append(settled, {onto});
   return settled;
@@ -161,7 +161,7 @@ PlannedTask::Part SurveyTask::plan_part(const Start& start, const TaskStep& step
     part.never = zones_.empty();
     return part;
   }
-  const model::AirMotion air = planning::motion_of(start.limits, start.wind);
+  const model::AirMotion air = solve::motion_of(start.limits, start.wind);
   const double down = start.state.p_N.z();
   FlightState here = start.state;
   double now = start.time;
@@ -171,7 +171,7 @@ PlannedTask::Part SurveyTask::plan_part(const Start& start, const TaskStep& step
     const double done =
         on_line ? std::max(0.0, (geo::horizontal(here.p_N) - line.begin).dot(ahead)) : 0;
     FlightElement along =
-        planning::straight(line.begin + done * ahead, line.end, down, air, now);
+        solve::straight(line.begin + done * ahead, line.end, down, air, now);
     // On the line as it is: a connection back to its begin would be a full circle.
     const FlightPlan to =
         std::exchange(on_line, false) ? FlightPlan() : lead_to(line, here, start, now);
@@ -181,7 +181,7 @@ PlannedTask::Part SurveyTask::plan_part(const Start& start, const TaskStep& step
     part.milestones.push_back(along.start);
     now = along.start + along.duration;
     part.milestones.push_back(now);
-    here = planning::end_state(part.plan);
+    here = solve::end_state(part.plan);
   }
   part.nothing = part.plan.empty();
   return part;

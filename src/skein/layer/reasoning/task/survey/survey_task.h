@@ -8,7 +8,7 @@
 namespace skein::reasoning {
 
 /// Flies the lines of a survey in their order; when it is given none it plans them for
-/// its area from where it is, in the wind as it then is (planning::plan_coverage).
+/// its area from where it is, in the wind as it then is (solve::plan_coverage).
 ///
 /// A line counts as seen when it was flown from its begin to its end, no further aside
 /// than the overlap of its neighbours allows, a tenth of the swath at least; else it is

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "skein/data/flight_plan.h"
+#include "skein/data/vehicle/flight_plan.h"
 #include "skein/model/connection/connection.h"
 
 namespace skein::reasoning {

@@ -9,10 +9,10 @@
 namespace skein::reasoning {
 namespace {
 
-using allocation::CoalitionAnswer;
-using allocation::CoalitionProblem;
-using allocation::CoalitionTask;
-using allocation::Satisfaction;
+using solve::CoalitionAnswer;
+using solve::CoalitionProblem;
+using solve::CoalitionTask;
+using solve::Satisfaction;
 
 constexpr double kMaxMargin = 1.5;  // more endurance is of no more use
 constexpr double kKeep = 0.05;      // of a task, for who executes it
@@ -128,12 +128,12 @@ TeamAllocated CoalitionAllocation::operator()(std::span<const TeamTask> open,
 
   const CoalitionProblem problem = problem_of(tasks, workers);
   std::vector<std::size_t> kept = present(tasks, workers);
-  const CoalitionAnswer found = allocation::best_coalitions(problem, {});
-  const double present_value = allocation::utility_of(problem, kept);
+  const CoalitionAnswer found = solve::best_coalitions(problem, {});
+  const double present_value = solve::utility_of(problem, kept);
   // Who waits for an order counts as idle still: it is not to lose what it was given.
   const bool busier = idle_of(found.task) < idle_of(kept);
-  const bool better = allocation::is_worth_changing(present_value, found.quality.value,
-                                                    changed || busier);
+  const bool better =
+      solve::is_worth_changing(present_value, found.quality.value, changed || busier);
   const std::vector<std::size_t>& chosen = better ? found.task : kept;
   TeamAllocated all;
   all.value = better ? found.quality.value : present_value;

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "skein/base/id.h"
-#include "skein/layer/reasoning/team/allocation/coalitions.h"
 #include "skein/layer/reasoning/team/onboard/flight_conditions.h"
 #include "skein/layer/reasoning/team/protocol/team_config.h"
+#include "skein/solve/allocation/coalitions.h"
 
 namespace skein::reasoning {
 
@@ -41,8 +41,8 @@ class CoalitionAllocation {
 
  private:
   using Executed = std::pair<EntityId, std::uint32_t>;
-  allocation::CoalitionProblem problem_of(std::span<const TeamTask> tasks,
-                                          std::span<const TeamWorker> workers);
+  solve::CoalitionProblem problem_of(std::span<const TeamTask> tasks,
+                                     std::span<const TeamWorker> workers);
 
   const FlightConditions* conditions_;
   std::map<Executed, double> nearest_;  // to the begin of what is executed [s]

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
 
 namespace skein::reasoning {
 

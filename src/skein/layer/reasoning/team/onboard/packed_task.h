@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/task.h"
-#include "skein/data/team_message.h"
+#include "skein/data/team/task.h"
+#include "skein/data/team/team_message.h"
 
 namespace skein::reasoning {
 

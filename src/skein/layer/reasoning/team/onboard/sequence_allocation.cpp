@@ -10,7 +10,7 @@
 namespace skein::reasoning {
 namespace {
 
-using allocation::SequenceRoutes;
+using solve::SequenceRoutes;
 
 constexpr std::int64_t kMoves = 300'000;         // of a search among many tasks
 constexpr std::int64_t kTiedMoves = 10'000'000;  // over their number: where they are tied
@@ -74,7 +74,7 @@ void share_rest(const TeamSequences& all, SequenceRoutes& routes) {
 bool is_worth_changing(const TeamSequences::Times& present,
                        const TeamSequences::Times& found) {
   const auto better = [](double before, double now) {  // utilities are negative times
-    return allocation::is_worth_changing(-before, -now, false);
+    return solve::is_worth_changing(-before, -now, false);
   };
   return better(present.last(), found.last()) ||
          (found.last() <= present.last() && better(present.total, found.total));
@@ -106,8 +106,8 @@ bool SequenceAllocation::must_plan(std::span<const TeamTask> open,
   return least == 0 && most > 1;
 }
 
-allocation::Quality SequenceAllocation::plan(std::span<const TeamTask> open,
-                                             std::span<const TeamWorker> workers) {
+solve::Quality SequenceAllocation::plan(std::span<const TeamTask> open,
+                                        std::span<const TeamWorker> workers) {
   const TeamSequences all(open, workers, kMaxPlanned, *conditions_);
   SequenceRoutes routes = all.routes_of(whole_);
   auto present = all.times(routes);
@@ -135,7 +135,7 @@ allocation::Quality SequenceAllocation::plan(std::span<const TeamTask> open,
   }
   whole_ = all.plan_of(routes);
   flown_ = all.plan_of(all.within_endurance(std::move(routes)));
-  allocation::Quality quality;
+  solve::Quality quality;
   quality.value = present ? present->last() : 0;
   quality.bound = bound_of(all, bound, quality.value);
   return quality;
@@ -150,7 +150,7 @@ TeamAllocated SequenceAllocation::operator()(std::span<const TeamTask> open,
   const bool is_new = ids != workers_ || !std::ranges::includes(tasks_, numbers);
   workers_ = std::move(ids);
   tasks_ = std::move(numbers);
-  std::optional<allocation::Quality> quality;
+  std::optional<solve::Quality> quality;
   if (must_plan(open, workers, is_new)) quality = plan(open, workers);
   TeamAllocated all(flown_);
   for (auto& [id, own] : all.given)

@@ -4,9 +4,9 @@
 #include <set>
 #include <span>
 
-#include "skein/layer/reasoning/team/allocation/answer.h"
 #include "skein/layer/reasoning/team/onboard/flight_conditions.h"
 #include "skein/layer/reasoning/team/protocol/team_config.h"
+#include "skein/solve/allocation/answer.h"
 
 namespace skein::reasoning {
 
@@ -42,8 +42,8 @@ class SequenceAllocation {
   bool must_plan(std::span<const TeamTask> open, std::span<const TeamWorker> workers,
                  bool is_new) const;
   /// @returns  how good the plan is, as a time [s].
-  allocation::Quality plan(std::span<const TeamTask> open,
-                           std::span<const TeamWorker> workers);
+  solve::Quality plan(std::span<const TeamTask> open,
+                      std::span<const TeamWorker> workers);
 
   const FlightConditions* conditions_;
   TeamAllocation whole_;           // the present plan

@@ -8,10 +8,10 @@
 namespace skein::reasoning {
 namespace {
 
-using allocation::SequenceProblem;
-using allocation::SequenceRoutes;
-using allocation::SequenceTask;
-using allocation::TaskRelation;
+using solve::SequenceProblem;
+using solve::SequenceRoutes;
+using solve::SequenceTask;
+using solve::TaskRelation;
 
 constexpr double kMaxDelay = 1e5;  // of what has been begun [s]
 

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "skein/layer/reasoning/team/allocation/sequence_schedule.h"
-#include "skein/layer/reasoning/team/allocation/sequences.h"
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
 #include "skein/layer/reasoning/team/protocol/allocation.h"
+#include "skein/solve/allocation/sequence_schedule.h"
+#include "skein/solve/allocation/sequences.h"
 
 namespace skein::reasoning {
 
@@ -32,12 +32,12 @@ class TeamSequences {
   std::size_t aircraft() const { return flyers_.size(); }
   bool is_tied() const { return !problem_.relations.empty(); }
   bool has_endless() const;
-  const allocation::SequenceProblem& problem() const { return problem_; }
+  const solve::SequenceProblem& problem() const { return problem_; }
 
   /// The same for some of the tasks and some of the aircraft, by their numbers in it;
   /// refers to this one.
-  allocation::SequenceProblem part(const std::vector<std::size_t>& tasks,
-                                   const std::vector<std::size_t>& aircraft) const;
+  solve::SequenceProblem part(const std::vector<std::size_t>& tasks,
+                              const std::vector<std::size_t>& aircraft) const;
 
   /// Until an aircraft is free [s].
   double delay(std::size_t aircraft) const { return flyers_[aircraft].delay; }
@@ -48,16 +48,16 @@ class TeamSequences {
     double last() const;
   };
   /// None: tasks wait for each other without end.
-  std::optional<Times> times(const allocation::SequenceRoutes& routes) const;
+  std::optional<Times> times(const solve::SequenceRoutes& routes) const;
 
   /// A plan as routes; without what is gone or may not be flown, and with each task that
   /// it lacks where the last end is least.
-  allocation::SequenceRoutes routes_of(const TeamAllocation& plan) const;
+  solve::SequenceRoutes routes_of(const TeamAllocation& plan) const;
   /// Routes as a plan, with what has been begun before.
-  TeamAllocation plan_of(const allocation::SequenceRoutes& routes) const;
+  TeamAllocation plan_of(const solve::SequenceRoutes& routes) const;
   /// As much of routes as the endurance of each aircraft allows, and at most one task
   /// without an end, which is the last.
-  allocation::SequenceRoutes within_endurance(allocation::SequenceRoutes routes) const;
+  solve::SequenceRoutes within_endurance(solve::SequenceRoutes routes) const;
 
  private:
   struct Job {
@@ -84,7 +84,7 @@ class TeamSequences {
   double start(std::size_t aircraft, std::size_t job) const;
   double leg(std::size_t aircraft, std::size_t from, std::size_t to) const;
   double end_of(std::size_t aircraft, const std::vector<std::size_t>& route) const;
-  void insert_missing(allocation::SequenceRoutes& routes) const;
+  void insert_missing(solve::SequenceRoutes& routes) const;
 
   const FlightConditions& conditions_;
   std::vector<Job> jobs_;
@@ -92,7 +92,7 @@ class TeamSequences {
   std::vector<double> within_;  // by aircraft and job, of the task itself [s]
   // Between jobs, by speed [s]; negative: not asked for yet.
   mutable std::map<double, std::vector<double>> legs_;
-  allocation::SequenceProblem problem_;
+  solve::SequenceProblem problem_;
 };
 
 }  // namespace skein::reasoning

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "skein/data/task.h"
-#include "skein/data/team_message.h"
+#include "skein/data/team/task.h"
+#include "skein/data/team/team_message.h"
 #include "skein/layer/reasoning/team/onboard/flight_conditions.h"
 
 namespace skein::reasoning {

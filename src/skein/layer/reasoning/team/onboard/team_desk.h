@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/data/command.h"
-#include "skein/data/zone_set.h"
+#include "skein/data/airspace/zone_set.h"
+#include "skein/data/command/command.h"
 #include "skein/layer/reasoning/team/onboard/task_sharing.h"
 #include "skein/layer/reasoning/team/onboard/team_link.h"
 

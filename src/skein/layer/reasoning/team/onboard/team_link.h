@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "skein/data/agent_step.h"
+#include "skein/data/vehicle/agent_step.h"
 #include "skein/layer/reasoning/team/protocol/team_member.h"
 
 namespace skein::reasoning {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "skein/data/team_message.h"
+#include "skein/data/team/team_message.h"
 
 namespace skein::reasoning {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "skein/data/team_message.h"
+#include "skein/data/team/team_message.h"
 #include "skein/layer/reasoning/team/protocol/team_config.h"
 
 namespace skein::reasoning {

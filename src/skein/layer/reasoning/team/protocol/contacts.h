@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "skein/data/team_message.h"
+#include "skein/data/team/team_message.h"
 #include "skein/layer/reasoning/team/protocol/timers.h"
 
 namespace skein::reasoning {

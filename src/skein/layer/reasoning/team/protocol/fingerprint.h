@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "skein/data/wire.h"
+#include "skein/data/describe/wire.h"
 
 namespace skein::reasoning {
 

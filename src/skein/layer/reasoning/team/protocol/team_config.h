@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "skein/data/team_message.h"
+#include "skein/data/team/team_message.h"
 #include "skein/layer/reasoning/team/protocol/allocation.h"
 #include "skein/layer/reasoning/team/protocol/timers.h"
 

@@ -10,8 +10,8 @@
 
 #include "skein/base/random.h"
 #include "skein/base/time.h"
-#include "skein/data/event.h"
-#include "skein/data/team_message.h"
+#include "skein/data/event/event.h"
+#include "skein/data/team/team_message.h"
 #include "skein/layer/reasoning/team/protocol/auction.h"
 #include "skein/layer/reasoning/team/protocol/contacts.h"
 #include "skein/layer/reasoning/team/protocol/knowledge.h"

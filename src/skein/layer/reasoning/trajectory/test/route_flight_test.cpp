@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "skein/data/airspace.h"
+#include "skein/data/airspace/airspace.h"
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 #include "skein/model/path/plan_curve.h"
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "skein/data/agent_step.h"
-#include "skein/data/autopilot.h"
-#include "skein/data/vehicle.h"
+#include "skein/data/vehicle/agent_step.h"
+#include "skein/data/vehicle/autopilot.h"
+#include "skein/data/vehicle/vehicle.h"
 #include "skein/model/path/path_geometry.h"
 #include "skein/model/path/plan_curve.h"
 #include "skein/model/path/wind_triangle.h"

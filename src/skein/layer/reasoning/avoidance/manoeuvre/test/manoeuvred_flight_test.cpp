@@ -5,8 +5,8 @@
 #include <rapidcheck/gtest.h>
 
 #include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
-#include "skein/layer/reasoning/planning/search/link.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/link.h"
 
 namespace skein::reasoning::manoeuvred_flight_test {
 namespace {
@@ -33,8 +33,8 @@ FlightPlan any_plan(const FlightLimits& limits) {
   query.goal = {{number(-4000, 4000), number(3000, 4000), number(-200, -100)},
                 number(-3, 3)};
   const double start = number(0, 50);
-  return planning::to_flight_plan(planning::link(query.start, query.goal, query),
-                                  query.start, start, query);
+  return solve::to_flight_plan(solve::link(query.start, query.goal, query), query.start,
+                               start, query);
 }
 
 // The elements join and stay within what the aircraft can do.
@@ -63,7 +63,7 @@ RC_GTEST_PROP(ManoeuvredFlight, IsFlyableAndEndsWhereThePlanDoes, ()) {
   const double meets = begin + number(5, 100);
   const ConflictOfFlight conflict{
       plan, limits, begin, meets, meets + number(0, 5), meets + number(5, 10), {50, 20}};
-  const FlightState goal = planning::state_after(plan);
+  const FlightState goal = solve::state_after(plan);
   int made = 0;
   for (const Manoeuvre& manoeuvre : manoeuvres(limits, {50, 20}, number(1, 3))) {
     const auto flight = manoeuvred(manoeuvre, conflict);
@@ -71,7 +71,7 @@ RC_GTEST_PROP(ManoeuvredFlight, IsFlyableAndEndsWhereThePlanDoes, ()) {
     ++made;
     RC_ASSERT(std::abs(model::start_of(*flight) - begin) < 1e-9);
     RC_ASSERT((flight->front().p_N - model::moment_at(plan, begin).p_N).norm() < 1e-6);
-    RC_ASSERT((planning::state_after(*flight).p_N - goal.p_N).norm() < 0.01);
+    RC_ASSERT((solve::state_after(*flight).p_N - goal.p_N).norm() < 0.01);
     expect_flyable(*flight, limits);
   }
   RC_ASSERT(made >= 2);

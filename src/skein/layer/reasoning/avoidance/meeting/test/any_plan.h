@@ -2,7 +2,7 @@
 
 #include <rapidcheck.h>
 
-#include "skein/data/flight_plan.h"
+#include "skein/data/vehicle/flight_plan.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {

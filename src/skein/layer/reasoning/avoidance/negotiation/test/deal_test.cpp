@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "skein/base/check.h"
-#include "skein/data/describe.h"
+#include "skein/data/describe/describe.h"
 
 namespace skein::reasoning::deal_test {
 namespace {

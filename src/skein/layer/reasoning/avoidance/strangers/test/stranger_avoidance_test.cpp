@@ -5,8 +5,8 @@
 #include "skein/base/random.h"
 #include "skein/geo/rotation.h"
 #include "skein/layer/reasoning/avoidance/meeting/test/straight_flight.h"
-#include "skein/layer/reasoning/planning/search/repair.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/repair.h"
 
 namespace skein::reasoning::stranger_avoidance_test {
 namespace {
@@ -46,7 +46,7 @@ TEST(StrangerAvoidance, APlanInsteadOfAHeadingKeepsAllThatIsToBeKept) {
       const Action action = avoidance.step(
           {now, p_N, v_N, plan, model::end_time_of(plan), seen, query, {}, {}});
       if (action == Action::kPlan) {
-        FlightPlan flown = planning::part_of(plan, now, avoidance.begin());
+        FlightPlan flown = solve::part_of(plan, now, avoidance.begin());
         if (turns) {
           flown.clear();
           ++plans;

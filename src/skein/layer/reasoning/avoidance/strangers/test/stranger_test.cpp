@@ -6,8 +6,8 @@
 
 #include "skein/layer/reasoning/avoidance/meeting/test/straight_flight.h"
 #include "skein/layer/reasoning/avoidance/strangers/flight_around.h"
-#include "skein/layer/reasoning/planning/search/airspace_map.h"
 #include "skein/model/path/flight_plan.h"
+#include "skein/solve/path/airspace_map.h"
 
 namespace skein::reasoning::stranger_test {
 namespace {
@@ -56,7 +56,7 @@ TEST(Stranger, TheRoomMovesWithIt) {
   airspace.movers.push_back(room_of(head_on(), *meeting));
   PathQuery query;
   query.airspace = &airspace;
-  const planning::AirspaceMap map(query);
+  const solve::AirspaceMap map(query);
   EXPECT_FALSE(map.is_free(straight({0, 0, -100}, 0)));
   EXPECT_TRUE(map.conflict_at(Vec3(2400 - 40 * 35, 0, -100), 35));
   EXPECT_FALSE(map.conflict_at(Vec3(2400 - 40 * 35, 2000, -100), 35));
@@ -111,7 +111,7 @@ TEST(Stranger, TheFlightAroundKeepsOutOfTheRoomThatIsChosen) {
   airspace.zones = {
       static_room_of(strangers[0], *predicted_intersection(plan, strangers[0], 0))};
   query.airspace = &airspace;
-  const planning::AirspaceMap map(query);
+  const solve::AirspaceMap map(query);
   EXPECT_TRUE(map.is_free(*standing));
   // Of one that crosses slowly from the right the moving room leaves more way.
   strangers[0].p_N = Vec3(1100, 1000, -100);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "skein/base/random.h"
-#include "skein/data/message.h"
+#include "skein/data/radio/message.h"
 
 namespace skein::reasoning {
 

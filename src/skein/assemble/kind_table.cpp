@@ -1,9 +1,0 @@
-#include "skein/assemble/kind_registry.h"
-
-namespace skein::assemble {
-
-scenario::KindTable kind_table() {
-  return KindRegistry().table();
-}
-
-}  // namespace skein::assemble

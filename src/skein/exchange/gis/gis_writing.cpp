@@ -1,0 +1,247 @@
+#include "skein/exchange/gis/gis_writing.h"
+
+#include <fmt/format.h>
+#include <gdal.h>
+#include <ogr_api.h>
+#include <ogr_srs_api.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <system_error>
+
+#include "skein/base/output_file.h"
+#include "skein/geo/gdal/gdal_guard.h"
+#include "skein/geo/gdal/gdal_handles.h"
+
+namespace skein::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GisFormat {
+  const char* ending;
+  const char* driver;
+};
+constexpr GisFormat kGisFormats[] = {{".geojson", "GeoJSON"},
+                                     {".kml", "KML"},
+                                     {".gpkg", "GPKG"},
+                                     {".shp", "ESRI Shapefile"}};
+
+struct DestroySystem {
+  void operator()(void* system) const { OSRDestroySpatialReference(system); }
+};
+struct DestroyGisFeature {
+  void operator()(void* feature) const {
+    OGR_F_Destroy(static_cast<OGRFeatureH>(feature));
+  }
+};
+
+// The smallest outer ring that a hole lies in.
+std::size_t outer_of(const geo::Ring& hole, const std::vector<geo::Ring>& outer) {
+  std::size_t best = 0;
+  double smallest = 1e300;
+  for (std::size_t k = 0; k < outer.size(); ++k) {
+    const double area = geo::signed_area(outer[k]);
+    if (area < smallest && geo::contains(outer[k], hole.front())) {
+      smallest = area;
+      best = k;
+    }
+  }
+  return best;
+}
+
+class GisWriter {
+ public:
+  GisWriter(const geo::LocalFrame& frame, const GisFormat& format)
+      : frame_(frame), format_(format), system_(OSRNewSpatialReference(nullptr)) {
+    OSRSetWellKnownGeogCS(system_.get(), "WGS84");
+    // Longitude first, whatever the authority says.
+    OSRSetAxisMappingStrategy(system_.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  }
+
+  Result<void> write(const std::vector<GisFeature>& features, const std::string& layer,
+                     const fs::path& file) {
+    GDALDriverH driver = GDALGetDriverByName(format_.driver);
+    if (!driver) return failed(file);
+    geo::GdalDataset dataset(
+        GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    if (!dataset) return failed(file);
+    const bool lines =
+        !features.empty() && features.front().kind == GisFeature::Kind::kLine;
+    char rfc[] = "RFC7946=YES";
+    char* options[] = {rfc, nullptr};
+    const bool json = format_.driver == std::string_view("GeoJSON");
+    OGRLayerH made = GDALDatasetCreateLayer(dataset.get(), layer.c_str(), system_.get(),
+                                            lines ? wkbLineString : wkbMultiPolygon,
+                                            json ? options : nullptr);
+    if (!made) return failed(file);
+    if (!features.empty())
+      for (const auto& [name, value] : features.front().fields) {
+        OGRFieldDefnH field = OGR_Fld_Create(
+            name.c_str(), std::holds_alternative<double>(value) ? OFTReal : OFTString);
+        const bool good = OGR_L_CreateField(made, field, TRUE) == OGRERR_NONE;
+        OGR_Fld_Destroy(field);
+        if (!good) return failed(file);
+      }
+    for (const GisFeature& feature : features)
+      if (!put(made, feature)) return failed(file);
+    dataset.reset();
+    return guard_.failed() ? failed(file) : Result<void>();
+  }
+
+ private:
+  bool put(OGRLayerH layer, const GisFeature& feature) const {
+    std::unique_ptr<void, DestroyGisFeature> made(
+        OGR_F_Create(OGR_L_GetLayerDefn(layer)));
+    for (std::size_t k = 0; k < feature.fields.size(); ++k) {
+      const auto& value = feature.fields[k].second;
+      const int at = static_cast<int>(k);
+      auto* row = static_cast<OGRFeatureH>(made.get());
+      const auto* number = std::get_if<double>(&value);
+      if (number && std::isfinite(*number)) OGR_F_SetFieldDouble(row, at, *number);
+      if (number && !std::isfinite(*number)) OGR_F_SetFieldNull(row, at);
+      if (!number) OGR_F_SetFieldString(row, at, std::get<std::string>(value).c_str());
+    }
+    OGRGeometryH shape =
+        feature.kind == GisFeature::Kind::kLine ? line(feature) : area(feature);
+    OGR_F_SetGeometryDirectly(static_cast<OGRFeatureH>(made.get()), shape);
+    return OGR_L_CreateFeature(layer, static_cast<OGRFeatureH>(made.get())) ==
+           OGRERR_NONE;
+  }
+
+  void add_points(OGRGeometryH to, const geo::Ring& points) const {
+    for (const Vec2& p : points) {
+      const geo::Geodetic at = frame_.from_plane(p);
+      OGR_G_AddPoint_2D(to, at.longitude_deg, at.latitude_deg);
+    }
+  }
+
+  OGRGeometryH line(const GisFeature& feature) const {
+    OGRGeometryH made = OGR_G_CreateGeometry(wkbLineString);
+    for (const geo::Ring& points : feature.rings) add_points(made, points);
+    return made;
+  }
+
+  OGRGeometryH area(const GisFeature& feature) const {
+    std::vector<geo::Ring> outer, holes;
+    for (const geo::Ring& ring : feature.rings)
+      (geo::signed_area(ring) > 0 ? outer : holes).push_back(ring);
+    OGRGeometryH all = OGR_G_CreateGeometry(wkbMultiPolygon);
+    std::vector<OGRGeometryH> parts;
+    const auto add = [this](OGRGeometryH part, const geo::Ring& ring) {
+      OGRGeometryH made = OGR_G_CreateGeometry(wkbLinearRing);
+      add_points(made, ring);
+      add_points(made, {ring.front()});
+      OGR_G_AddGeometryDirectly(part, made);
+    };
+    for (const geo::Ring& ring : outer) {
+      parts.push_back(OGR_G_CreateGeometry(wkbPolygon));
+      add(parts.back(), ring);
+    }
+    for (const geo::Ring& hole : holes)
+      if (!outer.empty()) add(parts[outer_of(hole, outer)], hole);
+    for (OGRGeometryH part : parts) OGR_G_AddGeometryDirectly(all, part);
+    return all;
+  }
+
+  Result<void> failed(const fs::path& file) const {
+    return Error{ErrorCode::kUnavailable, file.string(),
+                 fmt::format("cannot be written: {}.", guard_.failure()), ""};
+  }
+
+  geo::GdalGuard guard_;
+  const geo::LocalFrame& frame_;
+  const GisFormat& format_;
+  std::unique_ptr<void, DestroySystem> system_;
+};
+
+// Moves all files of a folder to where they belong.
+Result<void> move_all(const fs::path& from, const fs::path& to) {
+  std::error_code failure;
+  for (const fs::directory_entry& each : fs::directory_iterator(from, failure))
+    if (auto moved = move_into_place(each.path(), to / each.path().filename()); !moved)
+      return moved;
+  if (failure)
+    return Error{ErrorCode::kUnavailable, to.string(),
+                 fmt::format("cannot be written: {}.", failure.message()), ""};
+  return {};
+}
+
+constexpr GisFormat kPackedShapefile{".shp.zip", "ESRI Shapefile"};
+
+// A folder that nobody else has, gone with this.
+class PrivateFolder {
+ public:
+  explicit PrivateFolder(const fs::path& in = fs::temp_directory_path()) {
+    std::string name = (in / ".skein-gis-XXXXXX").string();
+    if (::mkdtemp(name.data())) path_ = name;
+  }
+  ~PrivateFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+  // Empty where it could not be made.
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+Result<std::string> gis_bytes(const std::vector<GisFeature>& features,
+                              const std::string& layer, const geo::LocalFrame& frame,
+                              const std::string& ending) {
+  const GisFormat* format =
+      ending == kPackedShapefile.ending ? &kPackedShapefile : nullptr;
+  for (const GisFormat& each : kGisFormats)
+    if (ending == each.ending && ending != ".shp") format = &each;
+  if (!format)
+    return Error{ErrorCode::kBadInput, ending, "is no ending that is known.",
+                 "Allowed: .geojson, .kml, .gpkg, .shp.zip."};
+  const PrivateFolder folder;
+  const fs::path file = folder.path() / (layer + ending);
+  if (auto done = GisWriter(frame, *format).write(features, layer, file); !done)
+    return done.error();
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  if (bytes.empty())
+    return Error{ErrorCode::kUnavailable, file.string(), "cannot be read again.", ""};
+  return bytes;
+}
+
+Result<void> write_gis(const std::vector<GisFeature>& features, const std::string& layer,
+                       const geo::LocalFrame& frame, const fs::path& file) {
+  const auto format =
+      std::find_if(std::begin(kGisFormats), std::end(kGisFormats),
+                   [&](const GisFormat& f) { return file.extension() == f.ending; });
+  if (format == std::end(kGisFormats))
+    return Error{ErrorCode::kBadInput, file.string(), "has an ending that is not known.",
+                 "Allowed: .geojson, .kml, .gpkg, .shp."};
+  const auto place = output_place(file);
+  if (!place) return place.error();
+  // In a folder beside it first: what others read is always whole. Beside a device
+  // nothing is made.
+  const fs::path target = fs::absolute(file).parent_path();
+  const PrivateFolder folder(
+      place.value() == OutputPlace::kReplaced ? target : fs::temp_directory_path());
+  if (folder.path().empty())
+    return Error{ErrorCode::kUnavailable, file.string(),
+                 fmt::format("cannot be written: {}.", std::strerror(errno)), ""};
+  if (auto done = GisWriter(frame, *format)
+                      .write(features, layer, folder.path() / file.filename());
+      !done)
+    return done;
+  return move_all(folder.path(), target);
+}
+
+}  // namespace skein::exchange

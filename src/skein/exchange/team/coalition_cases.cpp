@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "skein/exchange/team/case_lists.h"
+#include "skein/exchange/team/strict_json.h"
+#include "skein/exchange/team/team_cases.h"
+#include "skein/solve/allocation/task_satisfaction.h"
+
+namespace skein::exchange {
+namespace {
+
+using namespace solve;  // NOLINT: what is read is all of there
+
+constexpr double kMaxSpeed = 1000;     // [m/s]
+constexpr double kMaxDuration = 1e7;   // [s]
+constexpr double kMaxLength = 1e8;     // [m]
+constexpr double kMinPositive = 1e-9;  // of what must be above 0
+
+TeamAircraft read_aircraft(JsonFields& fields, JsonProblems& problems) {
+  TeamAircraft aircraft;
+  aircraft.place = read_point(fields, "");
+  (void)fields.text("type", "");
+  aircraft.v_min = fields.number("v_min_mps", 0, kMaxSpeed);
+  aircraft.v_max = fields.number("v_max_mps", aircraft.v_min, kMaxSpeed);
+  aircraft.cruise = fields.number("cruise_mps", 0, kMaxSpeed);
+  aircraft.turn_radius = fields.number("turn_radius_m", 0, kMaxLength);
+  aircraft.endurance = fields.number("endurance_s", 0, kMaxDuration);
+  aircraft.relay_quality = fields.number("relay_quality", 0, 1, 0);
+  if (const StrictJson* sensors = fields.object("sensors"))
+    for (const auto& [kind, value] : sensors->items()) {
+      JsonFields sensor(value, fields.place() + ".sensors." + kind.substr(0, 40),
+                        problems);
+      aircraft.sensors[kind] = {sensor.number("swath_m", 0, kMaxLength),
+                                sensor.number("quality", 0, 1)};
+    }
+  return aircraft;
+}
+
+ShareTask read_shares(JsonFields& fields, std::size_t aircraft) {
+  ShareTask task;
+  task.shares.assign(aircraft, 0);
+  const StrictJson* shares = fields.list("shares");
+  if (!shares) return task;
+  bool good = shares->size() == aircraft;
+  for (std::size_t i = 0; good && i < aircraft; ++i) {
+    good = (*shares)[i].is_number();
+    if (good) task.shares[i] = (*shares)[i].get<double>();
+    good = good && task.shares[i] >= 0 && task.shares[i] <= 1;
+  }
+  if (!good) {
+    task.shares.assign(aircraft, 0);
+    fields.problem("shares", "must be a number within 0 to 1 for each aircraft.");
+  }
+  return task;
+}
+
+solve::TeamTask read_task(JsonFields& fields, std::size_t aircraft) {
+  static const std::vector<std::string> kKinds = {
+      "surveillance", "tracking", "patrol-line",   "perimeter-watch",
+      "waypoints",    "route",    "protect",       "cordon",
+      "escort",       "relay",    "measure-field", "fire-perimeter"};
+  enum Kind {
+    kSurvey,
+    kTrack,
+    kPatrol,
+    kWatch,
+    kWaypoints,
+    kRoute,
+    kProtect,
+    kCordon,
+    kEscort,
+    kRelay,
+    kField,
+    kFire
+  };
+  solve::TeamTask task;
+  task.place = read_point(fields, "");
+  switch (static_cast<Kind>(fields.word("kind", kKinds))) {
+    case kSurvey:
+      task.what = SurveillanceTask{fields.text("sensor"),
+                                   fields.number("area_m2", kMinPositive, 1e14)};
+      break;
+    case kTrack:
+      task.what = TrackingTask{fields.text("sensor"),
+                               fields.number("target_speed_mps", 0, kMaxSpeed)};
+      break;
+    case kPatrol:
+      task.what = PatrolTask{fields.number("length_m", kMinPositive, kMaxLength),
+                             fields.number("revisit_s", kMinPositive, kMaxDuration),
+                             fields.flag("round", false)};
+      break;
+    case kWatch:
+      task.what = PatrolTask{fields.number("length_m", kMinPositive, kMaxLength),
+                             fields.number("revisit_s", kMinPositive, kMaxDuration),
+                             fields.flag("round", true)};
+      break;
+    case kWaypoints:
+    case kRoute:
+      task.what = RouteTask{fields.number("length_m", 0, kMaxLength)};
+      break;
+    case kProtect:
+    case kCordon:
+    case kEscort:
+      task.what =
+          GuardTask{fields.text("sensor", ""), fields.number("aircraft_wanted", 1, 1e6)};
+      break;
+    case kRelay:
+      task.what = RelayTask{read_point(fields, "from_"), read_point(fields, "to_"),
+                            fields.number("range_m", kMinPositive, kMaxLength)};
+      break;
+    case kField:
+    case kFire:
+      task.what = read_shares(fields, aircraft);
+      break;
+  }
+  return task;
+}
+
+CoalitionCase read_case(const StrictJson& object, const std::string& place,
+                        bool idle_allowed, JsonProblems& problems) {
+  JsonFields fields(object, place, problems);
+  CoalitionCase found;
+  found.id = fields.text("id");
+  std::vector<TeamAircraft> aircraft;
+  std::vector<std::int64_t> ids;
+  read_list(fields, "aircraft", problems, ids, [&](JsonFields& inner) {
+    aircraft.push_back(read_aircraft(inner, problems));
+  });
+  std::vector<solve::TeamTask> tasks;
+  read_list(fields, "tasks", problems, found.tasks, [&](JsonFields& inner) {
+    tasks.push_back(read_task(inner, aircraft.size()));
+  });
+  const double delta = fields.number("delta_d_per_m", 0, 1, 0);
+  if (!idle_allowed && tasks.empty() && !aircraft.empty())
+    fields.problem("tasks", "must not be empty when no aircraft may stay idle.");
+  found.problem = coalition_problem(aircraft, tasks, delta, idle_allowed);
+  return found;
+}
+
+}  // namespace
+
+Result<std::vector<CoalitionCase>> read_coalition_cases(std::string_view text,
+                                                        const std::string& place,
+                                                        bool idle_allowed) {
+  return read_cases<CoalitionCase>(
+      text, place,
+      [&](const StrictJson& object, const std::string& at, JsonProblems& problems) {
+        return read_case(object, at, idle_allowed, problems);
+      });
+}
+
+}  // namespace skein::exchange

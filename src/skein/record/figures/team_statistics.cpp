@@ -1,0 +1,83 @@
+#include "skein/record/figures/team_statistics.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+namespace skein::record {
+namespace {
+
+// The number that a text begins with; none: another word.
+std::optional<std::uint32_t> number_in(std::string_view text) {
+  std::uint32_t number = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return std::nullopt;
+  return number;
+}
+
+constexpr std::string_view kTeamTask = "team task ";
+
+}  // namespace
+
+void TeamStatistics::lead(const TeamLeadRecord& record) {
+  known_ = true;
+  const auto& master = record.lead.master;
+  if (!master) return;
+  masters_.insert(*master);
+  auto& last = master_of_[record.id];
+  if (last && *last != *master) changes_ += 1;
+  last = master;
+}
+
+void TeamStatistics::allocation(const TeamAllocationReport& report) {
+  ++allocations_[report.state];
+}
+
+void TeamStatistics::event(const Event& event) {
+  if (event.kind == "task-done" && event.text.starts_with(kTeamTask)) {
+    if (const auto task =
+            number_in(std::string_view(event.text).substr(kTeamTask.size())))
+      done_.insert(*task);
+    end(event.entity, event.time);
+  } else if (event.kind == "team-task-over" || event.kind == "left") {
+    end(event.entity, event.time);
+  } else if (event.kind == "team-task") {
+    end(event.entity, event.time);
+    // Those for groups begin with another word.
+    if (const auto task = number_in(event.text)) begin(*task, event.entity, event.time);
+  }
+}
+
+void TeamStatistics::begin(std::uint32_t task, EntityId who, Time now) {
+  Flown& flown = flown_[task];
+  flown.by.insert(who);
+  if (flown.by.size() == 2) flown.doubled = now;
+}
+
+void TeamStatistics::end(EntityId who, Time now) {
+  for (auto& [task, flown] : flown_) {
+    if (flown.by.erase(who) == 0 || flown.by.size() >= 2 || !flown.doubled) continue;
+    doubled_max_ = std::max(doubled_max_, (now - *flown.doubled).seconds());
+    flown.doubled.reset();
+  }
+}
+
+void TeamStatistics::add_figures(std::map<std::string, double>& figures) const {
+  if (!known_) return;
+  figures["team_masters"] = static_cast<double>(masters_.size());
+  figures["team_changes"] = changes_;
+  figures["team_tasks_done"] = static_cast<double>(done_.size());
+  figures["team_double_max_s"] = doubled_max_;
+  const auto count = [&](AllocationState state) {
+    const auto found = allocations_.find(state);
+    return found == allocations_.end() ? 0 : found->second;
+  };
+  if (count(AllocationState::kWaits) == 0) return;
+  figures["team_allocations_proposed"] = count(AllocationState::kWaits);
+  figures["team_allocations_approved"] = count(AllocationState::kApproved);
+  figures["team_allocations_rejected"] = count(AllocationState::kRejected);
+  figures["team_allocations_taken_over"] = count(AllocationState::kTakenOver);
+}
+
+}  // namespace skein::record
