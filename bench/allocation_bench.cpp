@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Allocation: what coalitions, sequences and tours cost to find, how far they are from
 // their bounds, and what an auction loses against them.
 

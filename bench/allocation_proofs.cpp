@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Proofs and bounds of allocation against computations that share no code with the
 // solvers: random coalitions, as many routes, as many tours. Prints how many were called
 // proven, and how many claims are false; exits with 1 when any is.

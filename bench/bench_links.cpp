@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Links in real time, over sockets of this machine: how long it takes from a vehicle's
 // telemetry to its report at the others, beside a bare answer to it over the same
 // sockets, and what it costs to show 250 vehicles to a ground station.

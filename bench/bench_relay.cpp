@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How many datagrams a relay passes, and what that costs: a sender at a given rate, the
 // relay in a thread of its own, a receiver, all on this machine.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How closely aircraft with six degrees of freedom follow climbs of plans: with climb
 // rates that jump, and with vertical turns (model/path/climb_profile.h). The same
 // flights, winds and heights are drawn for both. Prints the height over the plan as the

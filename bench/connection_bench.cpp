@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of one connection over random cases: the median, per core.
 //
 // Each case of a set of 2,000 is solved many times between two readings of the clock; the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Connections against a dense search over all six words: 100,000 random and 20,000 hard
 // cases. Prints how many are found, later than the reference, and how far ends are off;
 // exits with 1 when a case is later by more than 1e-9 or ends off by more than 1e-6

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of the estimator per inertial sample, and its consistency over many runs:
 //
 //   bench_estimator --benchmark_filter=step

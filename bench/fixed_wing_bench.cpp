@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of a fixed wing's physics: a step at 100 Hz, its parts, a trim.
 
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole fleets as runs move them: plant, sensors, estimator, autopilot, gusts, agents and
 // radio at 100 Hz, on one core, without fire and without records.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of one aircraft: plant and autopilot per step, its agent per decision, and the
 // path computations that strategies call most.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of guidance: one step of each command for fixed wings and multirotors, and the
 // `path` autopilot on a path of ten elements. The vehicle moves as commanded, without
 // lags, so that what is timed is guidance.

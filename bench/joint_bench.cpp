@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of the joint estimator. items = calls of the timed step; time per item is what
 // counts.
 

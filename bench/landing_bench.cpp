@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Landings of whole aircraft with all their sensors, against the wind, from all around.
 //
 //   mean, most   distance at rest from the point [m]

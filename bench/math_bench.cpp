@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of the elementary functions of base/math.h next to the system's.
 //
 // Both take turns over the same 4,096 arguments; counters are medians of 25 turns:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MAVLink frames read and written by one core; items are frames.
 #include <benchmark/benchmark.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What modes and failsafes cost an aircraft at each control step.
 
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Paths around obstacles: cost of the scenes' paths after a time, without wind and in
 // wind, repair after a new zone on the path, a fleet of 1,000 aircraft in each other's
 // presence. Costs are in metres of air flown; `conflicts` of the fleet are pairs that a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a tag costs a sender and each receiver, beside coding the same report.
 
 #include <benchmark/benchmark.h>

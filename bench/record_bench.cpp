@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How fast runs are recorded and beliefs compared with the truth.
 
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recorded fires as truth: what the simulation pays per step and at the start.
 
 #include <benchmark/benchmark.h>

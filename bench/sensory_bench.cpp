@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of random numbers, turbulence and sensors, each per call, and of the usual suite
 // of sensors per inner step of a vehicle at 100 Hz.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planners for tasks: what a survey costs to plan, and how far it is from the best sweep
 // of all bearings in steps of 0.25 degrees.
 

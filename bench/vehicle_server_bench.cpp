@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Simulated MAVLink vehicles in one thread; items are seconds of one vehicle with one
 // ground station, at its own rates.
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of alerts and bands, per core: those of the reference data's encounters, or where
 // it is missing of made-up ones.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How fast messages and records are coded and decoded, per core.
 
 #include <benchmark/benchmark.h>

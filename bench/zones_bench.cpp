@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What no-fly zones cost an agent: finding out which count, detours around them, and a
 // leg that is planned anew.
 

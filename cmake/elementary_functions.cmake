@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Elementary functions that are the same on every processor: the members of musl's static
 # library that define them, taken out at configuration.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Writes OUT, a C++ file with the texts of FILES (a list of files of one folder that end
 # in ENDING) in a table, by name.
 #

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What other projects get of Skein, by `cmake --install` and find_package(skein) or by
 # add_subdirectory(): one library skein::<module> per folder, skein::skein for all of them,
 # skein::plugin for shared libraries with kinds of one's own (docs/extending.md).

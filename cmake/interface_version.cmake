@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Writes OUT with the version and a hash of all headers in SOURCE that are installed.
 #
 #   cmake -DSOURCE=src -DVERSION=0.1.0 -DIN=interface_version.h.in -DOUT=... -P ...

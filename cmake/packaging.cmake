@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cpack: a Debian package skein with the program, and skein-dev with library and headers.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME skein)

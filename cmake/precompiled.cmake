@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Headers that most files include, compiled once: a small file takes half the time. Files
 # include what they use all the same (tools/check_tidy reads them without), and
 # -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // What lies in precompiled.h, and the values that layers exchange, for all that stands on

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # skein::plugin: what a shared library with kinds of its own is compiled with. It has
 # headers and flags but no archives, because the program that loads it holds the library.
 if(NOT TARGET skein::plugin)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # One call per folder: a library skein_<name>, its tests as one program <name>_test.
 #
 #   skein_module(<name> SOURCES a.cpp... TESTS test/a_test.cpp...

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Writes OUT, a small source file with the version and the build, when it has changed.
 #
 #   cmake -DSOURCE=... -DVERSION=0.1.0 -DIN=version.cpp.in -DOUT=version.cpp -P version.cmake

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bundles a page's folder (main.ts and the style sheet it imports) and writes script and
 // style as C++ text, functions page_script() and page_style() of skein::NAMESPACE that the
 // header skein/NAMESPACE/page_assets.h declares: build.mjs FOLDER NAMESPACE OUTPUT.cpp

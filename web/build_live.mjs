@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bundles the operator's page: build_live.mjs FOLDER writes index.html, page.js, page.css and
 // worker.js into it. All of the page is in these four files; it asks nobody else for anything.
 // licenses.txt has the notices of the libraries in them.

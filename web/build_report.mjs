@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bundles the pages of reports (web/report) and writes them as C++ text, the functions of
 // skein/record/report/page_assets.h: build_report.mjs OUTPUT.cpp [--size]
 import { writeFileSync } from "node:fs";

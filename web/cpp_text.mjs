@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text as C++ text. Literals end at 64 kB in some compilers: pieces are joined by the compiler.
 export function literal(text) {
   if (text.includes(')skein_"')) throw new Error("the text contains the literal's end");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turns the operator's page, as build_live.mjs made it, into C++ text: its files compressed,
 // in the table that skein/layer/hmi/serve/page_files.h declares. embed_live.mjs FOLDER OUTPUT.cpp
 import { readFileSync, writeFileSync } from "node:fs";

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Fetches the npm packages of a folder when they are missing or its lock file has changed.
 # Several build folders share its node_modules, hence the lock.
 #   cmake -DWEB=<folder: web, tools/interop> -DNPM=<npm> -P install.cmake

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One aircraft's agent in a program of its own.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein avoid: keeping apart, worked out for tables of cases.
 #include <vector>
 

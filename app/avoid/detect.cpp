@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein avoid detect: alerts and bands of a table of encounters.
 #include <fmt/format.h>
 

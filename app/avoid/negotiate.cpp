@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein avoid negotiate: the deals of a file of bargains.
 #include <filesystem>
 #include <memory>

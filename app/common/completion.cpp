@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "app/common/commands.h"
 #include "app/common/output.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recorded fires in the files that agencies publish: what they hold, and a scenario of
 // it.
 #include <fmt/format.h>

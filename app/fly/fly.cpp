@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein fly: one fixed wing alone, open loop, from a table of inputs.
 #include <fmt/format.h>
 

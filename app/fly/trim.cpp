@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein fly --trim: steady flights of a fixed wing.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MAVLink handed on between sockets and serial lines, and recorded.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein net: the radio medium alone, as a network simulator.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein plan connect --batch: a table of connections, answered row by row.
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein plan connect: the quickest flight between two poses in wind.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein plan coverage: parallel sweeps over an area.
 #include <fmt/format.h>
 #include <unistd.h>

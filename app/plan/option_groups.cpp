@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "app/plan/option_groups.h"
 
 #include "app/common/number_range.h"

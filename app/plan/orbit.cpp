@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein plan orbit: circles or S-turns over a target that may move.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein plan path: around zones, terrain and moving obstacles.
 #include <fmt/format.h>
 

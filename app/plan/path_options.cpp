@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Options of skein plan connect and path: from one place to another.
 #include <CLI/CLI.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein plan patrol: along a line, there and back or around.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein plan rendezvous: several aircraft at their goals at one time, or in a row.
 #include <fmt/format.h>
 

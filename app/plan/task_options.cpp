@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Options of skein plan coverage, patrol, orbit and rendezvous.
 #include <CLI/CLI.hpp>
 

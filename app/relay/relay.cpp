@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein relay: a bad connection between two real ends.
 #include <fcntl.h>
 #include <fmt/format.h>

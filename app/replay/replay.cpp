@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A recorded run on the operator's page.
 #include "app/common/command_options.h"
 #include "app/common/commands.h"

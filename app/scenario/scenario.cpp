@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Commands about scenario files, aircraft files and kinds: check, list, schema, keys.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "app/serve/resident_memory.h"
 
 #include <unistd.h>

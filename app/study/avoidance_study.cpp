@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The study of aircraft that keep apart.
 
 #include <algorithm>

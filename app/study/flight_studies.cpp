@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Studies of single aircraft that are held against the truth as they fly.
 
 #include "app/common/common.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The study `wind-following`: plans for the wind against plans without it.
 #include "app/common/common.h"
 #include "app/study/parts.h"

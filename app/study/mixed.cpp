@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein study network mixed: data rates between real and simulated entities.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "app/study/mixed_delivery.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein study network: experiments with the radio medium alone.
 #include <fmt/format.h>
 #include <time.h>

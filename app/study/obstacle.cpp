@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein study network obstacle: who hears whom around a house, for all mixes of real and
 // simulated entities.
 #include <fmt/format.h>

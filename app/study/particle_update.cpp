@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "app/study/particle_update.h"
 
 #include "skein/layer/reasoning/perimeter/pointwise/particle_rule.h"

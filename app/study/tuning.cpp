@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The study `tuning`: laps with other gains, and the search for gains.
 #include <fmt/core.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What commands of `skein team` that answer files of problems share.
 #include <fmt/format.h>
 

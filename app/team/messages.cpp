@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein team messages: what a team says by radio, from the records of a run.
 #include <charconv>
 #include <memory>

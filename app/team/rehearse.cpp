@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein team rehearse: who leads whom when members of a team crash, join, are parted.
 #include <algorithm>
 #include <map>

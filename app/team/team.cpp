@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein team: a command that has commands, each in a file of its own.
 #include <memory>
 

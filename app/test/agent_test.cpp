@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A world and an agent of it in another program, as users start them.
 #include <csignal>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein avoid: what it answers and what it refuses.
 #include "app/test/program.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein study avoidance: cases in, figures out, and that avoidance is what parts them.
 #include <cmath>
 #include <sstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files as they come from the field: read rightly, or refused by name. They lie in
 // ../shared/data/cases, each with what is right; other tests have inputs of their own of
 // the same kinds.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Libraries and programs that a scenario names do not run without consent, by any
 // command.
 #include <signal.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `skein fire`: recorded fires as agencies publish them.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein fly: what it takes, what it refuses, and that it agrees with another engine.
 #include <fmt/format.h>
 

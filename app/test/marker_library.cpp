@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A shared library whose code runs as soon as it is loaded: it leaves the file that the
 // variable SKEIN_MARKER names. It is no plugin.
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Data rates between real and simulated entities, in real time.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that a scenario or a campaign names are looked for beside it, whatever the
 // working folder is.
 #include "app/test/program.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein net: the radio medium alone, against the traces and figures of a packet-level
 // simulator, and what it refuses.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein study network: the radio medium beside a packet-level simulator and theory.
 #include <csignal>
 #include <map>

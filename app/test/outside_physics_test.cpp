@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Aircraft that ArduPilot's simulator flies, for real: where SKEIN_ARDUPLANE names it.
 #include <cstdlib>
 

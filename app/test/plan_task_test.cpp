@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein plan path and its tasks: what they take, what they write, what they refuse.
 #include <fmt/format.h>
 #include <signal.h>

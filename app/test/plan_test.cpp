@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skein plan connect: what it takes, what it writes, what it refuses.
 #include <fcntl.h>
 #include <signal.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kinds of the example's plugin, as a user meets them.
 #include <algorithm>
 

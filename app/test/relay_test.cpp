@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bad connection between programs, as users start it.
 #include <arpa/inet.h>
 #include <fcntl.h>

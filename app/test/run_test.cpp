@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs that are watched, interrupted, killed, repeated, or fill the disk.
 #include <algorithm>
 #include <csignal>

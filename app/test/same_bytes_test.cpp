@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same scenario gives the same content hash on every processor and with any number of
 // threads. The system's C library chooses its variants of sin, exp... by the processor;
 // its tunable GLIBC_TUNABLES makes it choose as on one without fused multiply-add.

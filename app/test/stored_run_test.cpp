@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Folders of runs: who may write into them, what is said of damaged and unfinished ones,
 // and where commands write what they make.
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Studies: going on after an interrupt, running again what changed, checking rows.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints a checksum of the system's elementary functions, which shows the variants that
 // its library has chosen.
 #include <bit>

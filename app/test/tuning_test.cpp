@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The study tuning: laps, gains from files, the search and its interruption.
 #include <algorithm>
 #include <csignal>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the program answers: help, lists, problems of scenarios, what it refuses.
 #include <fcntl.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One simulated aircraft as a MAVLink vehicle of its own.
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "circle_estimator.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One row for each kind: its name, help, keys and how to make one.
 #include "my_kinds.h"
 

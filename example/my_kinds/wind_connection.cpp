@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A program of one's own with Skein's library: the quickest flight between two poses in
 // winds of growing speed.
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that count, and waiting that ends.
 let wrong = 0;
 const MAX_SHOWN = 20;

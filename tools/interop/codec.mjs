@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Skein's MAVLink against node-mavlink, over real sockets: every kind of message that both
 // know, versions 1 and 2, signed and not, both ways, field by field.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bytes between frames that are none: noise, frames that break off, frames with a wrong byte.
 const MAGIC_1 = 0xfe, MAGIC_2 = 0xfd;
 

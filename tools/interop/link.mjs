@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames of node-mavlink through a running `skein link`: who gets them, that not a byte is
 // changed, and what the record holds.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // node-mavlink as the other side of a link. Where it departs from the definition of MAVLink,
 // or cannot do what is needed here, this file does otherwise:
 //

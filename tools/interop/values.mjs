@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of messages that two programs know of each other without having been told:
 // src/skein/link/router/test/agreed_values.h makes the same ones, and says which.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Watches a run by Foxglove's own client, and holds what it is sent against Foxglove's
 // own schemas:   run foxglove.mjs PROGRAM SCENARIO FOLDER
 import { mkdirSync } from "node:fs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory and speed of a served run over its simulated time, with two who watch:
 //   run growth.mjs PROGRAM SCENARIO FOLDER [OPTION OF RUN...]
 // Writes FOLDER/growth.csv and FOLDER/growth.svg. Fails when memory is not bounded, when

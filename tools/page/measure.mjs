@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures the server and the page on a run:
 //   run measure.mjs PROGRAM SCENARIO FOLDER MINUTES [OPTION OF RUN...]
 // CPU of the program without clients and with ten, what a client is sent, the first

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drives the operator's page of a run, of two clients, of tokens and of a recorded run:
 //   run page.mjs PROGRAM SCENARIO FOLDER      pictures go to the folder
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Skein's program and a browser, for tests of the operator's page.
 import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";

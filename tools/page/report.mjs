@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drives the report of a run, and that of two runs side by side, opened as files:
 //   run report.mjs PROGRAM SCENARIO FOLDER      pictures go to the folder
 import { execFileSync } from "node:child_process";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Line plots with uPlot: one look for all, linked cursors, themes, sizes. */
 import uPlot from "uplot";
 import { clock, h, number, tick } from "./dom";

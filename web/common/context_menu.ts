@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What can be done at a place of the map: by the right button, or a long press. */
 import { clock, h } from "./dom";
 import { latLonText, mgrsText } from "./frames";

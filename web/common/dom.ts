@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Small helpers to build the page: no framework, no markup from data. */
 
 type Child = Node | string | null | undefined;

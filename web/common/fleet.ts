@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Where all aircraft are: one typed array for what was said last, one for what is drawn.
  *

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Places: the run's local frame (north, east and altitude above the origin's ellipsoid height),
  * latitude and longitude on WGS 84, and the plane of the map (web Mercator).

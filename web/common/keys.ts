@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Keys of the whole page; the help lists them. */
 import { h } from "./dom";
 import { T } from "./texts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What stands in the bar at the top of each page with a map: time, how the page looks. */
 import { clock, h } from "./dom";
 import { chooseTheme, type ThemeChoice } from "./theme";

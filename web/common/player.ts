@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Moves through the time of recordings: plays, stands still, goes anywhere. */
 import type { ShownTime } from "./fleet";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What the server says besides records: GET /api/run, and items of the live feed (interfaces of what the decoder yields). */
 import type { Loiter, NamedValue, TaskCommand } from "./records";
 import type { Origin } from "./frames";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** A recorded run on a map: nothing of it can be changed, any time of it is here. */
 import { Frame } from "./frames";
 import { Terrain } from "./map/terrain";

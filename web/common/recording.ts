@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * A run that is in the page: messages of the live feed with their times, which make the world what
  * it was at any time. As a server's replay, but all of it is here.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Made by `skein schema records` from the descriptions in src/skein/data: do not edit. */
 
 /** An aircraft or ground station. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What this viewer has chosen; kept in the browser, never sent. */
 import type { ThemeChoice } from "./theme";
 

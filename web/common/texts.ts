@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** All that the page says, in one place: a translation replaces this file. */
 
 export const T = {

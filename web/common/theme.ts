@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Colours for canvases: the style sheet's, in light, dark and on paper. */
 
 export interface Theme {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Events along the time of the run, and in a replay the slider that moves through it. */
 import { clock, h } from "./dom";
 import { onThemeChange, theme } from "./theme";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The way that each aircraft has come since it was first seen, in a bounded number of points. */
 const kMost = 2000; // points of an aircraft
 const kPoint = 3; // x, y, altitude

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Small parts that several panels use. */
 import { h } from "./dom";
 import { T } from "./texts";

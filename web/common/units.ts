@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Numbers with units, as the viewer wants them. */
 import type { Settings } from "./settings";
 import { T } from "./texts";

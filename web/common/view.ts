@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** A run on a map, wherever what is known of it comes from: a server, or a recording in the page. */
 import { kIcon, kMotion, kRadius, type Fleet } from "./fleet";
 import type { Frame } from "./frames";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Reads the server's binary messages: the wire form of docs/wire.md, by a table of its structs.
  *

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Made by `skein schema wire` from the descriptions in src/skein/data: do not edit. */
 import type { Table } from "./wire";
 

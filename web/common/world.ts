@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** All that is known of the run, built from the items of the feed. */
 import type { AirTraffic, Alert, Arrival, Conflict, Crossing, Entity, Event, Footprint, Forecast, GroundObject, ObjectBelief,
   ObjectMotion, Perimeter, Planner, RadioLink, Reading, RecommendationChange, TeamAllocation, TeamLead, TeamTaskChange, TrafficMotion, TrafficTrack,

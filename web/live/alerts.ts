@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Alerts: what wants attention now, the most urgent first, seen, heard and acknowledged. Three
  * priorities as crewed aviation has them: warnings want an act at once, cautions soon, advisories

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What all parts of the operator's page share: the run and its map, the connection, commands, drawings. */
 import { Connection, type Sent } from "./connection";
 import { Frame } from "../common/frames";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The WebSocket to the server: connects again after it was lost, numbers commands and follows their fate. */
 import type { CommandReply } from "../common/protocol";
 import type { Decoder, Visit } from "../common/wire";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Asks for the token; the server keeps it in a cookie that scripts cannot read. */
 import { h } from "../common/dom";
 import { T } from "../common/texts";

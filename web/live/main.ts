@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Starts the page: asks what is run, logs in where a token is wanted, puts the parts together. */
 import "uplot/dist/uPlot.min.css";
 import "./style.css";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Lays the page out: bar, map, dock with its panels, timeline. */
 import { h } from "../common/dom";
 import type { App } from "./app";

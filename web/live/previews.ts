@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What aircraft would do with a task that is not given yet: asked of the server, which flies it ahead. */
 import { clock } from "../common/dom";
 import type { App } from "./app";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The bar at the top of the operator's page: run, time, how it goes, who has control. */
 import { h } from "../common/dom";
 import type { App } from "./app";

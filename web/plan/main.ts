@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page of a plan: everything is in the page already; this moves the map and joins the
 // table with the picture.
 import "./style.css";

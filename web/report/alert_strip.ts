@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** When alerts stood, aircraft by aircraft, along the time of the player. */
 import type { Alerts } from "./alerts";
 import type { RunData } from "./data";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Alerts, bands and recommendations of a run at a time. */
 import type { Alerting, BandRow } from "./data";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Canvases that are drawn in CSS pixels. */
 
 /** Sizes a canvas for sharp lines and draws in CSS pixels. */

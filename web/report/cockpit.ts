@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What the pilot of an aircraft has around, at the time that the world is of. */
 import type { World } from "../common/world";
 import type { Alerts } from "./alerts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What the program puts into the page, and how its packed numbers are read. */
 
 import type { RunDescription } from "../common/protocol";

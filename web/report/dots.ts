@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Values of every pair of a row and a series along one axis: drawn as SVG, so that they
  * stay crisp on paper. */
 import { h, number, tick } from "../common/dom";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The tables of key figures, for one run or several side by side. */
 import type { RunData } from "./data";
 import { clock, h, number } from "../common/dom";

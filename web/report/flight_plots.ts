@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** How the aircraft of one run flew, over time. */
 import type { ChartOptions, Line } from "../common/chart";
 import { floats, type FlightColumn, type RunData } from "./data";

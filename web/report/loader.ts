@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Unpacks the page's script, which stands in the page, and starts it. */
 import { unpackedBlock } from "./unpack";
 

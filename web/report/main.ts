@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The page of one run or several. */
 import "uplot/dist/uPlot.min.css";
 import "./style.css";

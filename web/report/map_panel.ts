@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The map of a run, or those of two runs side by side, which one player moves through their time. */
 import { listenToKeys } from "../common/keys";
 import type { MapView } from "../common/map/map_view";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What the pages of runs and of studies have in common. */
 import { loadSettings } from "../common/settings";
 import { applyTheme } from "../common/page_controls";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What a pilot would see at one time, as on a traffic display: own ship in the middle, nose up, range rings, others by
  * relative altitude and alert, bands of tracks round the compass, of speeds, altitudes and vertical speeds on tapes. */
 import { kRegions, type Region } from "./alerts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The panel with the display of one aircraft's pilot, at the time of the player. */
 import type { World } from "../common/world";
 import type { Alerts } from "./alerts";

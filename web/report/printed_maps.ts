@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The maps at a few times, for paper: pictures that are made when the page is printed. */
 import type { MapView } from "../common/map/map_view";
 import type { Player } from "../common/player";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What the radios of a run did: who heard whom how well, how full the air was. */
 import { floats, type RunData } from "./data";
 import { h, number } from "../common/dom";

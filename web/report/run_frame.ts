@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** A run of a report on its map: all that the operator's page shows of a recorded one. */
 import { contextMenu } from "../common/context_menu";
 import { listenToKeys } from "../common/keys";

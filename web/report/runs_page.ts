@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The report of one run or several. */
 import { chart, type Chart, type ChartOptions, type Dash, type Line } from "../common/chart";
 import { floats, type RunData } from "./data";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What the comparison needs of a run's scenario, as the program writes it: block style,
  * two spaces a level. */
 import type { RunData } from "./data";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The report of a study: text, tables, plots. */
 import { chart } from "../common/chart";
 import type { StudyCell, StudyData } from "./data";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Tracks over ground, north up, both axes to the same scale. Drawn as SVG. */
 import { h, tick } from "../common/dom";
 import type { StudyMap } from "./data";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What the program has compressed (RFC 1950) and written in base64. */
 
 export function bytes(packed: string): ArrayBuffer {

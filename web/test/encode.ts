@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Writes the wire form from values in their JSON form: for tests and servers that pretend. */
 import { joined, type Field, type Table } from "../common/wire";
 

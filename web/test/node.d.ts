@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The little of Node that the tests use; its types are no dependency of the page.
 declare module "node:test" {
   export function test(name: string, body: () => void | Promise<void>): void;

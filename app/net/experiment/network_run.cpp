@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "app/net/experiment/network_run.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs whose database was damaged: rows, cells, tables and bytes. Every reader has an
 // answer, soon, and in little memory.
 #include <gtest/gtest.h>

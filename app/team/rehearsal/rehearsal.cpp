@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "app/team/rehearsal/rehearsal.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/geo/self_crossing.h"
 
 namespace skein::geo {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/mixed/driven_plant.h"
 
 #include <algorithm>

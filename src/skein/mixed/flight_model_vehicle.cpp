@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/mixed/flight_model_vehicle.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Places that are given as latitude and longitude, or as features of map files.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every key of a scenario but those of the kinds, one line each: reading, checking,
 // writing, `skein schema` and the documentation all come from here. A new key is a member
 // in scenario.h and a line below.

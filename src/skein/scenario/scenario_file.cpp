@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/scenario/scenario_file.h"
 
 #include "skein/scenario/markdown.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a run does on a command.
 
 #include <fmt/format.h>

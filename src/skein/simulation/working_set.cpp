@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/simulation/working_set.h"
 
 #include <malloc.h>

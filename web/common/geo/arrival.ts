@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** When the fire is believed to come to any place, from the belief of now and the forecasts. */
 import type { BoundaryPoint } from "../records";
 import type { World } from "../world";

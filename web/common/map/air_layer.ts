@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * All aircraft in one draw call, on a canvas above the map: while the camera stands still the map
  * itself is not drawn again. Nothing is allocated while frames are drawn.

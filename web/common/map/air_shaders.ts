@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Shaders of the aircraft layer. Motion is worked out on the graphics card: frames only say the time.
  *

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Buttons on the map, layers with their legend, the scale, the place under the pointer. */
 import { h } from "../dom";
 import { latLonText, mgrsText, utmText } from "../frames";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * What changes slowly: the fire as it is believed, its bands and forecasts, zones' names, missions'
  * goals, objects, tasks, other traffic. Drawn on a canvas of its own, again only when the camera

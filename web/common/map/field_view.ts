@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What those who draw on the canvas of the field are given, and what they have in common. */
 import type { Theme } from "../theme";
 import type { Layers } from "../settings";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The fire: the truth, what is believed of it, forecasts, and what has been measured. */
 import type { Theme } from "../theme";
 import { T } from "../texts";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What aircraft do besides where they are: tasks, tracks, footprints, recommended paths; and other traffic. */
 import { alertColour } from "../theme";
 import { T } from "../texts";

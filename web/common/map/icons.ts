@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Icons of aircraft in one texture. Red: the filled shape, green: its outline, blue: the frame that
  * says what is real. Columns: kinds; rows: simulated, outside simulator, real.

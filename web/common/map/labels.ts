@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Names of aircraft: chosen a few times a second so that they do not pile up, and moved with each
  * frame by the graphics card. Their pictures lie in one texture, each in a slot of its own.

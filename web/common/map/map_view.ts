@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The map: camera, ground, the canvases above it, and what the pointer does. */
 import { Map as MapLibre, type CameraOptions, type CustomLayerInterface, type GeoJSONSource, type MapMouseEvent } from "maplibre-gl";
 import { onThemeChange, theme } from "../theme";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Paths ahead: how aircraft expect to fly, and how one would fly a task that is not given yet. */
 import type { PathPoint } from "../protocol";
 import type { FieldView } from "./field_view";

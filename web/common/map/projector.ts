@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** From the plane of the map to pixels, with the camera that the map was drawn with last. */
 
 export class Projector {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Rings and lines in the plane of the map, made once from a record and drawn with any camera. */
 import type { BoundaryPoint } from "../records";
 import type { Frame } from "../frames";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The map below everything that moves: relief from the run's own heights, zones, tiles that the user may add. */
 import type { StyleSpecification } from "maplibre-gl";
 import type { Terrain } from "./terrain";

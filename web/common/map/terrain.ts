@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The ground: heights of /api/terrain, as tiles for the map and for whoever asks how high it is. */
 import { addProtocol, removeProtocol } from "maplibre-gl";
 import { latitudeOfMercator, type Frame } from "../frames";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What clicks on the map mean at the moment: choosing an aircraft, a place, the points of a line, measuring. */
 import { h } from "../dom";
 import { theme } from "../theme";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The belief, its 95 % band and the forecasts as features. */
 import type { BoundaryPoint } from "../../common/records";
 import type { World } from "../../common/world";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Places as other programs keep them: features in the local frame, here and in files. */
 
 export type Ring = [number, number][]; // north and east [m]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** GeoJSON (RFC 7946), KML (2.2) and .plan of QGroundControl: written here, read by the server. */
 import type { Frame } from "../../common/frames";
 import type { Circle, Feature, Purpose, Ring } from "./features";

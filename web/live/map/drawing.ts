@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Drawings of the operator: points, lines, areas, circles, with undo; kept in the browser. */
 import { TerraDraw, TerraDrawCircleMode, TerraDrawLineStringMode, TerraDrawModeUndoRedo, TerraDrawPointMode, TerraDrawPolygonMode, TerraDrawSelectMode,
   TerraDrawSessionUndoRedo, type GeoJSONStoreFeatures, type HexColor } from "terra-draw";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** One aircraft: what it does, its state, and what it may be told to do. */
 import { h } from "../../common/dom";
 import type { App } from "../app";

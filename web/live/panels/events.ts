@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Events with filters, and what became of the commands that were given here. */
 import { clock, h } from "../../common/dom";
 import type { App } from "../app";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** The fire: what is believed of it and how sure that is, where it will be, when it comes. */
 import { clock, h } from "../../common/dom";
 import type { BoundaryPoint } from "../../common/records";

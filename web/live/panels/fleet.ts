@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** All aircraft: what each does, its battery, when it was heard of. Only the rows that are seen exist. */
 import { h } from "../../common/dom";
 import type { App } from "../app";

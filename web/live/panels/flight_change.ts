@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** How high and how fast the chosen aircraft fly what they were given, from now on. */
 import { h } from "../../common/dom";
 import type { App } from "../app";

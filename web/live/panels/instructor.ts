@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What only the instructor does: faults, wind, truth, who flies, time, training. */
 import { h } from "../../common/dom";
 import type { App } from "../app";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** How well the radios hear each other: a graph, a matrix, the weakest links. */
 import { h, number } from "../../common/dom";
 import { theme } from "../../common/theme";

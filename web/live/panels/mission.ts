@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Missions, proposals that wait for approval, no-fly zones, drawings. */
 import { clock, h } from "../../common/dom";
 import type { ZoneRecord } from "../../common/records";

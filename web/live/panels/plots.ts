@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Live plots: how well the missions do, and one aircraft over the last minutes. */
 import { h, number } from "../../common/dom";
 import { chart, type Chart, type Line } from "../../common/chart";

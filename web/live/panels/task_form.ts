@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** A form for any kind of task, made from its description: a plugin's kind has one too. */
 import { clock, h } from "../../common/dom";
 import type { App } from "../app";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whatever the network: nothing is lost without a cause, and nothing piles up.
 #include <gtest/gtest.h>
 #include <malloc.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes as messages drive a member: it goes on, and what it sends is a message.
 #include <algorithm>
 #include <cstddef>

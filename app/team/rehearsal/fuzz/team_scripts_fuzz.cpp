@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes are scripts or an error that says what is wrong; small scripts are played.
 #include <cstddef>
 #include <cstdint>

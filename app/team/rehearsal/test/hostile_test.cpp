@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages that no honest member sends: they have a named outcome and change nothing.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What all aircraft files share: errors at the keys of the file, inertia, battery,
 // ground.
 #include "skein/assemble/aircraft/aircraft_fields.h"

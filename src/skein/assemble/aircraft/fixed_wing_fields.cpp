@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys of a fixed wing in aircraft files.
 #include <utility>
 #include <variant>

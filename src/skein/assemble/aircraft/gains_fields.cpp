@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/aircraft/gains_fields.h"
 
 namespace skein::assemble {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys of a multirotor in aircraft files.
 #include "skein/assemble/aircraft/aircraft_fields.h"
 

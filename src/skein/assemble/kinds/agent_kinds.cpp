@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What reasons on board: one row each.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Terrains, winds and fires: one row each.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/kinds/load_plugin.h"
 
 #include <dlfcn.h>

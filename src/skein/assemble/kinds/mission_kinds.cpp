@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an operator may want of aircraft: one row each.
 
 #include <fmt/format.h>

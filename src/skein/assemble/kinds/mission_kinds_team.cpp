@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Missions that give each aircraft one task after the other: one row each.
 
 #include <fmt/format.h>

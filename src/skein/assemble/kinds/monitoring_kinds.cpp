@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Estimators and strategies of perimeter missions: one row each.
 
 #include "skein/assemble/kinds/kinds_of.h"

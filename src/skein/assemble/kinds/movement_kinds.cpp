@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How things on the ground move: one row each.
 
 #include "skein/assemble/kinds/kinds_of.h"

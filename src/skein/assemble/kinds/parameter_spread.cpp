@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/kinds/parameter_spread.h"
 
 namespace skein::assemble {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planners of paths: one row each.
 #include "skein/assemble/kinds/planner_kinds.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/kinds/radio_security.h"
 
 #include <fmt/format.h>

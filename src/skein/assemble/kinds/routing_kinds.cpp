@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Routing protocols: one row each.
 
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/kinds/sampling.h"
 
 #include <fmt/format.h>

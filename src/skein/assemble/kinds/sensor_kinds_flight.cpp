@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sensors of a flight controller: one row each, and all of them as one.
 
 #include <algorithm>

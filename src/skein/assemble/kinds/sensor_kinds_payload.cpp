@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The payload, which looks at the world for the agent: one row each.
 
 #include "skein/assemble/kinds/sensor_kinds.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What stands in for sensors or for a transmitter, simpler than the real ones: one row
 // each.
 

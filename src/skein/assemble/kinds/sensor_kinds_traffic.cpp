@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What finds other aircraft: one row each.
 
 #include "skein/assemble/kinds/sensor_kinds.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/kinds/skein_autopilot_kind.h"
 
 #include <fmt/format.h>

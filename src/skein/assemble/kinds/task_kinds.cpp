@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What flies each kind of task: one row each.
 
 #include "skein/assemble/kinds/task_kinds.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vehicles: one row each.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys of antennas.
 #include "skein/assemble/radio/antenna_fields.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys of obstacles between radios.
 #include "skein/assemble/radio/obstacle_fields.h"
 

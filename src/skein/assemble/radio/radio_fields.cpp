@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys of radio files.
 #include "skein/assemble/radio/radio_fields.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Propagation, antennas and error models: one row each.
 #include "skein/assemble/radio/radio_parts.h"
 

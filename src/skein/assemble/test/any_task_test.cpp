@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every aircraft flies every kind of task, whatever its scenario calls it.
 
 #include <fmt/core.h>

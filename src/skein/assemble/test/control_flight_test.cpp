@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The control loops close over the real plants, in the wind: true state, no estimator.
 
 #include <gtest/gtest.h>

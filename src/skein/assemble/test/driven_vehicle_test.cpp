@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vehicles whose plant is here and whose autopilot is elsewhere, as scenarios have them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The estimator with the real sensors, plant and turbulence: control flies by the
 // estimate.
 

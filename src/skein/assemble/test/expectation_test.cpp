@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenario tests: every file of scenarios/expect/ names a scenario, changes to it, and
 // what its summary must say, with the reason of each bound; by each of `seeds` where
 // there are some, else by the scenario's. `key_file` is the key of the scenario that is

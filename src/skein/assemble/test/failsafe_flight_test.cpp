@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What goes wrong in flight, through the whole stack: parts fail by the scenario, the
 // sensors show it, and the autopilot reacts.
 

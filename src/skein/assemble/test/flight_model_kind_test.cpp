@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vehicles whose flight model is in another program, as scenarios have them.
 #include <arpa/inet.h>
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What runs say of the flights ahead of their aircraft, and of why they have their tasks.
 
 #include <fmt/core.h>

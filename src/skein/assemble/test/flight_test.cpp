@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How closely whole aircraft track their commands: scenario, sensors, estimator,
 // guidance, control, plant and wind together.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plugin that says it was built with other headers.
 #include "skein/assemble/kinds/plugin.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several aircraft at once: the same bytes whatever the threads and the speed, and
 // followers that keep their places.
 

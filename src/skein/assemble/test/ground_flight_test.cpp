@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From ground to ground with the agents that scenarios name, as `skein run` flies them.
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Starts from the ground whose conditions are drawn at random, judged by the truth.
 
 #include <fmt/core.h>

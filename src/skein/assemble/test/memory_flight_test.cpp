@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What aircraft see of the physical world, and what the server knows of it.
 #include <gtest/gtest.h>
 

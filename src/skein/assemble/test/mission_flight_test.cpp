@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shipped scenarios with missions, judged by the truth.
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An aircraft elsewhere, in a run: what it senses, and what it is sent of the world.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenarios with wrong values anywhere: whatever a key is given, there is an answer.
 #include <gtest/gtest.h>
 

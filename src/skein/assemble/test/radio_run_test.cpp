@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What lies between two radios of a run, and how aircraft are turned.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Attackers and authentication of a run's radio, as scenarios describe them.
 #include <gtest/gtest.h>
 

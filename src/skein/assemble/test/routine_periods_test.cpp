@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/kinds/routine_periods.h"
 
 #include <gtest/gtest.h>

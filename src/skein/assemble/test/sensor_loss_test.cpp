@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Flight sensors that fall silent at random times, with and without spares.
 
 #include <fmt/core.h>

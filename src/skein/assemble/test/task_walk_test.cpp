@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An agent is given whatever comes: tasks, changes, zones, wind, failures.
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Teams that lead themselves fly in whole scenarios.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Aircraft with sensors for traffic fly among aircraft that belong to nobody.
 #include <gtest/gtest.h>
 #include <unistd.h>

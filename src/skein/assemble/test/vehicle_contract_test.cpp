@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Simulated vehicles keep the contract of role/vehicle.h, whatever they are made of.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every kind keeps the contract of its role.
 #include "skein/assemble/world/verify_kinds.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/test/whole_flight.h"
 
 #include <stdexcept>

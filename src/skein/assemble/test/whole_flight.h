@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // Whole aircraft fly in a scenario, from plant to autopilot, and everything that a run

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // No-fly zones that come and go in flight, through the whole stack: drawn at the ground
 // station, reported by radio, kept out of by agents and by the failsafes of autopilots.
 

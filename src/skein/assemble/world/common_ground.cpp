@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/world/common_ground.h"
 
 #include "skein/assemble/world/aircraft_builder.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/world/read_command.h"
 
 #include "skein/data/command/command_text.h"

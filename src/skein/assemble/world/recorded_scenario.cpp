@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/world/recorded_scenario.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/world/verify_kinds.h"
 
 #include <fmt/format.h>

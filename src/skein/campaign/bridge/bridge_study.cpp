@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/campaign/bridge/bridge_study.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/campaign/campaign/campaign_file.h"
 
 #include <algorithm>

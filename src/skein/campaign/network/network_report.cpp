@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/campaign/network/network_report.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/campaign/following/following_study.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/campaign/network/network_study.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/campaign/ground_starts/start_watch.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/campaign/tuning/simplex_search.h"
 
 #include <algorithm>

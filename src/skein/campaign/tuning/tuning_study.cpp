@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/campaign/tuning/tuning_study.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/data/airspace/zone_set.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any line is refused, or gives a command that can be coded and read back, and whose
 // texts are valid.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes are a record or an error; a record is coded as its size says and read back.
 
 #include <cstddef>

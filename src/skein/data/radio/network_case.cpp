@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/data/radio/network_case.h"
 
 #include <algorithm>

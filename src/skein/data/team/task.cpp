@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/data/team/task.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/data/team/team_message.h"
 
 namespace skein {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/exchange/gis/boundary_features.h"
 
 #include "skein/geo/clip.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/exchange/gis/map_features.h"
 
 #include <cpl_vsi.h>

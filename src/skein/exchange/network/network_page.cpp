@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page of a network: pictures as SVG, made here; nothing in it moves.
 #include <fmt/format.h>
 

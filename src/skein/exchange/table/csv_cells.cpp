@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/exchange/table/csv_cells.h"
 
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/exchange/table/text_shown.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/exchange/team/team_answers.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/exchange/plan/connection_batch.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/exchange/traffic/detection_tables.h"
 
 #include <gtest/gtest.h>

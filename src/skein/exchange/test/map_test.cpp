@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Maps as people draw them, and as nobody should.
 #include <cpl_vsi.h>
 #include <fmt/format.h>

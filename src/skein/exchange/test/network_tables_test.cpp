@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/exchange/network/network_tables.h"
 
 #include <gtest/gtest.h>

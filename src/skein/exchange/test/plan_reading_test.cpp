@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/exchange/plan/plan_reading.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the writers write, read by others' readers: GDAL, nlohmann-json.
 #include "skein/exchange/table/writers.h"
 

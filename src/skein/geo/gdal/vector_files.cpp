@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/geo/gdal/vector_files.h"
 
 #include <cpl_string.h>

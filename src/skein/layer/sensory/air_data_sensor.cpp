@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/sensory/air_data_sensor.h"
 
 namespace skein::sensory {

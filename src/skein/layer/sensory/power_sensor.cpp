@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/sensory/power_sensor.h"
 
 #include <algorithm>

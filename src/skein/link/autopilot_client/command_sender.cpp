@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/autopilot_client/command_sender.h"
 
 #include <fmt/format.h>

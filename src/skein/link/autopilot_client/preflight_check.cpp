@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/autopilot_client/preflight_check.h"
 
 #include <fmt/format.h>

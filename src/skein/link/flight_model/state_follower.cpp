@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/flight_model/state_follower.h"
 
 #include <fmt/format.h>

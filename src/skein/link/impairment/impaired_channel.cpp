@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/impairment/impaired_channel.h"
 
 #include <algorithm>

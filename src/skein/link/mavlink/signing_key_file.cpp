@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/mavlink/signing_key_file.h"
 
 #include <fcntl.h>

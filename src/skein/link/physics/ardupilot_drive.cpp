@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/physics/ardupilot_drive.h"
 
 #include <fmt/format.h>

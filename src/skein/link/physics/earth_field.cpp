@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/physics/earth_field.h"
 
 #include "skein/base/math.h"

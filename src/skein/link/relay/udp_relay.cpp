@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/relay/udp_relay.h"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/transport/endpoints.h"
 
 #include <boost/asio/executor_work_guard.hpp>

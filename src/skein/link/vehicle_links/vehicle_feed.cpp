@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/vehicle_links/vehicle_feed.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/world_link/agent_parts.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/world_link/entity_links.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/world_link/packet.h"
 
 #include "skein/data/describe/wire.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/world_link/team_link.h"
 
 #include <utility>

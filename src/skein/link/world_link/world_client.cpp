@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/world_link/world_client.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/mixed/observation_memory.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A real vehicle with something wrong, flown by a run: what is said, and where it ends.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A real vehicle to which something happens in flight: who has it then, what is said, and
 // that nobody is overridden.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/model/connection/tangent_word.h"
 
 #include <algorithm>

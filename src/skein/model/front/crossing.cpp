@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/model/front/crossing.h"
 
 #include <algorithm>

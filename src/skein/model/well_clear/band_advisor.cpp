@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/model/well_clear/band_advisor.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/model/well_clear/manoeuvre.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/record/figures/separation_meter.h"
 
 #include <algorithm>

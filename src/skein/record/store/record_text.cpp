@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/record/store/record_text.h"
 
 #include <set>
@@ -166,7 +167,8 @@ std::string records_typescript() {
   for_each_alternative(static_cast<const LiveItem*>(nullptr), [&]<class T>() {
     if constexpr (!std::is_same_v<T, LiveRecord>) types.add<T>();
   });
-  return "/** Made by `skein schema records` from the descriptions in "
+  return "// SPDX-License-Identifier: Apache-2.0\n"
+         "/** Made by `skein schema records` from the descriptions in "
          "src/skein/data: do not edit. */\n" +
          types.text();
 }

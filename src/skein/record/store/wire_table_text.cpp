@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/record/store/wire_table_text.h"
 
 #include <fmt/format.h>
@@ -42,7 +43,8 @@ class Table {
   }
 
   std::string text() const {
-    return "/** Made by `skein schema wire` from the descriptions in src/skein/data: do "
+    return "// SPDX-License-Identifier: Apache-2.0\n"
+           "/** Made by `skein schema wire` from the descriptions in src/skein/data: do "
            "not edit. */\nimport type { Table } from \"./wire\";\n\nexport const kTable: "
            "Table = {\n  version: 1,\n  items: \"LiveItem\",\n  structs: {\n" +
            structs_ + "  },\n  enums: {\n" + enums_ + "  },\n  choices: {\n" + choices_ +

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Full disks, unwritable places and killed processes.
 
 #include <gtest/gtest.h>

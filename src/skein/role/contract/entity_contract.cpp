@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vehicles, as the simulation and their agents see them.
 #include <cmath>
 #include <limits>

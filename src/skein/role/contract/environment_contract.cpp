@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Terrain, wind, phenomena, things on the ground, other traffic and turbulence.
 #include <cmath>
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planners of paths.
 #include <cmath>
 #include <limits>

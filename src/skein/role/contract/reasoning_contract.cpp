@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Agents, estimators of the perimeter and monitoring strategies.
 #include <cmath>
 

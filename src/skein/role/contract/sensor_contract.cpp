@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/role/contract/checks.h"
 #include "skein/role/sensor.h"
 

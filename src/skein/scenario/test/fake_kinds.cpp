@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/scenario/test/fake_kinds.h"
 
 #include "skein/scenario/scenario.h"

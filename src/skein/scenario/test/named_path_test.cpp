@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Paths in files, commands that are started, and what recorded scenarios say.
 #include <gtest/gtest.h>
 

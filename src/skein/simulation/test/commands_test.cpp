@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Commands to a run: given, recorded, and given again.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/simulation/flight_ahead.h"
 
 #include <gtest/gtest.h>

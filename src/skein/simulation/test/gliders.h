@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 // A world of gliders that fly straight on and write to each other, and a recorder that

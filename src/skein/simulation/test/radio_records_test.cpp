@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a run says to its radio, and records of it.
 #include <gtest/gtest.h>
 

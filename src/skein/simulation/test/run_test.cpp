@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/simulation/run.h"
 
 #include <gtest/gtest.h>

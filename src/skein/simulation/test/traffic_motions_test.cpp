@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/simulation/traffic_motions.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/solve/allocation/task_satisfaction.h"
 
 #include <algorithm>

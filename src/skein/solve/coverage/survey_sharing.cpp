@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/solve/coverage/survey_sharing.h"
 
 #include "skein/solve/coverage/line_sharing.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/solve/coverage/sweep_search.h"
 
 #include <algorithm>

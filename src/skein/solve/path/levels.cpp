@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/solve/path/levels.h"
 #include "skein/role/terrain.h"
 

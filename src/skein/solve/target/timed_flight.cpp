@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/solve/target/timed_flight.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/solve/test/proof_campaign.h"
 
 #include <fmt/format.h>

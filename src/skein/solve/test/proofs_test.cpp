@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is called proven, and what bounds say, against computations that share no code
 // with the solvers. bench/allocation_proofs does the same with ten thousand problems.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/solve/touring/tour_state.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/assemble/aircraft/aircraft_file.h"
 
 #include <gtest/gtest.h>

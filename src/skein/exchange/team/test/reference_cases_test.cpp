@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Answers against those of other programs: ../shared/data/team/allocation.
 #include <gtest/gtest.h>
 

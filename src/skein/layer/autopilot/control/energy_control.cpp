@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/autopilot/control/energy_control.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/autopilot/control/multirotor_control.h"
 
 #include <utility>

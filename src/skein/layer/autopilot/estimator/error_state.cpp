@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/autopilot/estimator/error_state.h"
 
 namespace skein::autopilot {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/autopilot/estimator/flight_alignment.h"
 
 #include "skein/data/vehicle/air.h"

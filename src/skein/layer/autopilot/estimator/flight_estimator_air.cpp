@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How FlightEstimator takes in what it feels of the air: pitot tube, side-slip and
 // anemometer, through gusts of a strength that it estimates.
 

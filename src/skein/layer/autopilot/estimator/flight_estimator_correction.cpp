@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What FlightEstimator does once a period: covariance and corrections.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How FlightEstimator takes in fixes of satellites: what they are trusted, corrections,
 // and beginning again from them.
 

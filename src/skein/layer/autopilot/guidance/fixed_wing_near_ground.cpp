@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FixedWingGuidance in the take-off and the landing.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FixedWingGuidance on paths, plans and routes.
 
 #include <algorithm>

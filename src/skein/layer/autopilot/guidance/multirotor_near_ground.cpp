@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MultirotorGuidance in the take-off and the landing.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // MultirotorGuidance on paths, plans, routes and circles.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How ModeLogic finds out what has changed: the digest of its input, who flies, and which
 // failsafes are raised.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/autopilot/skein/skein_autopilot.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/communication/routing/flooding.h"
 
 #include "skein/data/radio/message.h"

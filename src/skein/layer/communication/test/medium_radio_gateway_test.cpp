@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Entities that are reached at the node of a ground station, on the medium of a run.
 #include <gtest/gtest.h>
 

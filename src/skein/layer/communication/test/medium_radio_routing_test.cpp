@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages that go from radio to radio, on the medium of a run.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Attackers and authentication on the medium of a run.
 #include <gtest/gtest.h>
 

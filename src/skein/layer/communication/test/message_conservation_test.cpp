@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whatever the radio of a run is: each message arrives, is lost by a cause, or is pending
 // in the end; once.
 #include <gtest/gtest.h>

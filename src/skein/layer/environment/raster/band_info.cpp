@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/environment/raster/band_info.h"
 
 #include <cpl_string.h>

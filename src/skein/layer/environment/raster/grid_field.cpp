@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/environment/raster/grid_field.h"
 
 #include <algorithm>

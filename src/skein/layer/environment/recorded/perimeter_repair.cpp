@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/environment/recorded/perimeter_repair.h"
 
 #include <fmt/format.h>

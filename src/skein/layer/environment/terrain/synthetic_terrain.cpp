@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
 
 #include "skein/base/check.h"

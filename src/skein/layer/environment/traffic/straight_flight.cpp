@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/environment/traffic/straight_flight.h"
 
 namespace skein::environment {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any text is refused, or is a request whose command can be looked at; any cookies and
 // hosts can be looked at, and any table of tokens; so can what viewers say by Foxglove's
 // protocol.

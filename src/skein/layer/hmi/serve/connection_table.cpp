@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/hmi/serve/connection_table.h"
 
 #include <utility>  // before Asio, which lacks it in C++20

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/hmi/terminal_console.h"
 
 #include <gtest/gtest.h>

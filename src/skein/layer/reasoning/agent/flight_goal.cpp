@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/agent/flight_goal.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What holds for every sensor: rate, latency, who gets it, streams of its own.
 
 #include <gtest/gtest.h>

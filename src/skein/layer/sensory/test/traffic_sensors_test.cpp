@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sensors that find other aircraft.
 #include <gtest/gtest.h>
 

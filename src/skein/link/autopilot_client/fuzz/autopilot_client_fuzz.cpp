@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The near end of a link to a vehicle, whatever comes by it and whatever is asked of the
 // vehicle: it neither fails nor grows, all that it sends are frames for the vehicle over
 // links that are there, each request is answered once at most, and motions are numbers.

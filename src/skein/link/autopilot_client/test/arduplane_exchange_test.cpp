@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A recorded exchange with ArduPlane 4.5.7: what it said when it was taken off.
 #include <gtest/gtest.h>
 

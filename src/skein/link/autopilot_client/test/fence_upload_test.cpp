@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // No-fly zones become the fence of a vehicle over good and bad lines.
 #include <gtest/gtest.h>
 

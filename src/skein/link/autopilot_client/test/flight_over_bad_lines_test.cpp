@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A whole flight as the near end of a link commands it, over lines from good to hardly
 // usable.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What goes wrong between a vehicle and the near end of its link: each is reported once,
 // and afterwards all works again without anybody beginning anew.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What vehicles say in words, whatever bytes it is made of.
 #include <gtest/gtest.h>
 

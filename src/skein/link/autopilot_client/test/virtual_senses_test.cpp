@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/autopilot_client/virtual_senses.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines of any bytes: what is taken for a state is one that can be.
 #include <cstddef>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Datagrams of any bytes, one after the other, and what follows from their states: those
 // are such as can be, times do not run away, and each is counted.
 #include <algorithm>

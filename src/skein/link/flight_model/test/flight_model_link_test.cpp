@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/flight_model/flight_model_link.h"
 
 #include <arpa/inet.h>

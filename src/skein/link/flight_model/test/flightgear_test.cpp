@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/flight_model/flightgear.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/flight_model/x_plane.h"
 
 #include <gtest/gtest.h>

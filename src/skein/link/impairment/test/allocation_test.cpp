@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A channel allocates nothing once it has held as much before.
 #include <gtest/gtest.h>
 

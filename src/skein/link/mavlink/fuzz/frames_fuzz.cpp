@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes, cut anywhere: the parser does not fail, and what it finds can be judged,
 // read, written again and recorded.
 #include <algorithm>

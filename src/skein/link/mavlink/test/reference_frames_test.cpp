@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames that another implementation has made, read and written: ../shared/data/mavlink.
 #include <gtest/gtest.h>
 

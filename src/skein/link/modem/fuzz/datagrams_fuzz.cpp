@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes, as a modem brings them and as a serial line does: neither end fails, nothing
 // comes twice, what was read is written and read again, and a good frame is found behind
 // whatever came before, once as many bytes have followed as may be missing.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes from an autopilot, cut anywhere, between steps: controls stay within their
 // bounds, and what goes out are whole frames, one for each step and each command.
 #include <algorithm>

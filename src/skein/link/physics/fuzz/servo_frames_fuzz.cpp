@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Datagrams of any bytes: what is taken for a frame says the same bytes again, and counts
 // that follow one another are told apart.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/process/kept_program.h"
 
 #include <gtest/gtest.h>

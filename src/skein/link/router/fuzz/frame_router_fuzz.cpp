@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where frames go, whoever sends what over which link: never back, never to a link that
 // is gone, to a system only where that was heard, and keys nowhere.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames over real sockets.
 #include "skein/link/router/forwarder.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/link/router/frame_router.h"
 
 #include <gtest/gtest.h>

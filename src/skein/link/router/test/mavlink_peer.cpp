@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What another implementation of MAVLink speaks with, over real sockets: the program that
 // tools/interop/codec.mjs starts.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Real vehicles are told of one another over real sockets.
 #include "skein/link/vehicle_links/vehicle_links.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A list of mission items, whatever ground stations say and whenever: it is replaced
 // whole, by what one of them has sent, or not at all.
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parameters, whatever ground stations ask and set: values stay within their bounds and
 // types, and what is said of them is true.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A simulated vehicle, whatever ground stations send and whatever the simulation says: it
 // neither fails nor grows, all that it sends are frames over links that are there, and
 // what it asks of the simulation can be flown.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Telemetry allocates nothing: hundreds of vehicles send it from one thread.
 #include <gtest/gtest.h>
 

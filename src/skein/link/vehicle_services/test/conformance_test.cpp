@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A whole flight as ground stations command it, over lines from good to hardly usable.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any packets, one after the other: a session neither fails nor holds more than it says,
 // and delivers nothing twice. Values that it delivers are read as both ends read them.
 

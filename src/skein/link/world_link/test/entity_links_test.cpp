@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A world and agents that meet over sockets of this machine.
 #include "skein/link/world_link/entity_links.h"
 

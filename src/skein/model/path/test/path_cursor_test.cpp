@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/model/path/path_cursor.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // On board nothing is allocated each second.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Against answers of another program: the reference data's, where they are stable.
 #include "skein/model/well_clear/test/reference_encounters.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What holds for all encounters, whatever another program says.
 #include <rapidcheck.h>
 

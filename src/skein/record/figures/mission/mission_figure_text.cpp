@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/record/figures/mission/mission_figure_text.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/record/figures/mission/patrol_meter.h"
 
 #include <algorithm>

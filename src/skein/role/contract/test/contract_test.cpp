@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The suites find what they are for: each implementation here breaks one rule.
 #include "skein/role/contract/contract.h"
 

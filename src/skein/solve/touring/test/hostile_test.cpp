@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planners of tasks with values that nobody means well with: each answers with an
 // outcome, and what it plans is continuous. None may stop with a Bug or take forever.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/asset/fixed_wing/fixed_wing_plant.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The energy law flies a point mass whose engine is not what its airframe says.
 #include "skein/layer/autopilot/control/energy_control.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random commands and motions, flyable or not: whatever is accepted gives finite demands
 // within the vehicle's limits, and what is refused leaves everything as it was.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every trigger in every situation for both airframes, with the defaults: what is done,
 // and how long after the fault it is done.
 

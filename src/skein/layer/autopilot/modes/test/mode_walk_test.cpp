@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Model-based random walk: modes, pilot, commands and faults come and go at random times.
 // After each step the decision is compared with the reference model's, and properties
 // that must hold whatever the rules in detail are checked without it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/communication/antenna/antenna_pattern.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes are refused by a receiver, but for those that were sealed with its key; these
 // are accepted once.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Perimeters from strangers: any text as GeoJSON, and any geometry past the reader, must
 // give a growing series of clean regions or an error, never a crash.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/avoidance/group/conflict_group.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/avoidance/separator/conflict_log.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 

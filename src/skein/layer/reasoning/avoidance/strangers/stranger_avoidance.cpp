@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/avoidance/strangers/stranger_avoidance.h"
 
 #include <algorithm>

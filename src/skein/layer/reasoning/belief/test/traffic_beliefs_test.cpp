@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/belief/traffic_beliefs.h"
 
 #include <gtest/gtest.h>

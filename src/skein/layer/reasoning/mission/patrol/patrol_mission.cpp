@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/mission/patrol/patrol_mission.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/mission/survey/survey_mission.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an observation of one place teaches: FrontEnsemble's regressions.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/task/go_to/go_to_task.h"
 
 #include <fmt/format.h>

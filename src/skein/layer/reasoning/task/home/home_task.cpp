@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/task/home/home_task.h"
 
 #include "skein/layer/reasoning/trajectory/altitude.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/task/tour/tour_plan.h"
 
 #include "skein/model/path/flight_plan.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/task/tour/tour_task.h"
 
 #include <fmt/format.h>

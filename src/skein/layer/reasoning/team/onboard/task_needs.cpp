@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/team/onboard/task_needs.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/team/onboard/team_desk.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/team/protocol/team_member.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a master has its allocations approved.
 #include <fmt/format.h>
 

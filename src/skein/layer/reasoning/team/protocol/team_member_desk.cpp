@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the station of an operator approves what a master proposes.
 #include <fmt/format.h>
 

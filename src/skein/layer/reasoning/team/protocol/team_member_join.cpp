@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a newcomer finds a team, and how a master takes it in.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a master does.
 #include <fmt/format.h>
 

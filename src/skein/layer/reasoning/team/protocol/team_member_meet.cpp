@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What masters of the same mission do when they meet.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What goes on between a team and the stations of its operators.
 #include <algorithm>
 

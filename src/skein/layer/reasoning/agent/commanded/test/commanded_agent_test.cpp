@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/agent/commanded/commanded_agent.h"
 
 #include <gtest/gtest.h>

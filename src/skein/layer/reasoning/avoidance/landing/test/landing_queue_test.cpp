@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/avoidance/landing/landing_queue.h"
 
 #include <gtest/gtest.h>

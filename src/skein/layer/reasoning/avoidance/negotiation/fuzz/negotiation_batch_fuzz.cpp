@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any bytes are bargains or an error that says what is wrong; bargains have a row each.
 #include <algorithm>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/layer/reasoning/avoidance/negotiation/deal.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Allocations that wait for an operator, over a radio that loses messages.
 #include <gtest/gtest.h>
 

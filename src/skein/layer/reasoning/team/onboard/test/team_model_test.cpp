@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A team as it flies, on a radio that loses, duplicates, delays and reorders messages:
 // what becomes of it is compared with a model.
 #include <gtest/gtest.h>
