@@ -34,8 +34,7 @@ const parts = {
   loader_script: await bundle("report/loader.ts"),
   page_style: await bundle("report/main.ts", ".css"),
 };
-if (flags.includes("--size"))
-  for (const [name, text] of Object.entries(parts)) console.log(`${name}: ${(text.length / 1000).toFixed(1)} kB`);
+if (flags.includes("--size")) for (const [name, text] of Object.entries(parts)) console.log(`${name}: ${(text.length / 1000).toFixed(1)} kB`);
 
 writeFileSync(
   output,
@@ -44,7 +43,9 @@ writeFileSync(
 
 namespace skein::record {
 
-${Object.entries(parts).map(([name, text]) => textFunction(name, text)).join("\n")}
+${Object.entries(parts)
+  .map(([name, text]) => textFunction(name, text))
+  .join("\n")}
 }  // namespace skein::record
 `,
 );

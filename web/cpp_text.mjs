@@ -3,8 +3,7 @@
 export function literal(text) {
   if (text.includes(')skein_"')) throw new Error("the text contains the literal's end");
   const pieces = [];
-  for (let i = 0; i < text.length; i += 8000)
-    pieces.push(`R"skein_(${text.slice(i, i + 8000)})skein_"`);
+  for (let i = 0; i < text.length; i += 8000) pieces.push(`R"skein_(${text.slice(i, i + 8000)})skein_"`);
   return pieces.join("\n    ");
 }
 

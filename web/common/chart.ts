@@ -50,8 +50,7 @@ export interface Chart {
 const kTimeSteps = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 21600, 43200, 86400];
 const kHeight = 220;
 
-const finite = (value: number | null | undefined, log: boolean | undefined) =>
-  value != null && Number.isFinite(value) && (!log || value > 0) ? value : null;
+const finite = (value: number | null | undefined, log: boolean | undefined) => (value != null && Number.isFinite(value) && (!log || value > 0) ? value : null);
 
 const paint = (line: Line) => (line.colour === "ink" ? theme().ink : theme().series[line.colour]);
 
@@ -64,8 +63,7 @@ function table(options: ChartOptions): { data: uPlot.AlignedData; bands: uPlot.B
     const keep = Array.from(line.x, (x, i) => [x, i] as const)
       .filter(([x]) => finite(x, options.logX) != null)
       .sort((a, b) => a[0] - b[0]);
-    const values = (source: ArrayLike<number | null>) =>
-      keep.map(([, i]) => finite(source[i], options.logY));
+    const values = (source: ArrayLike<number | null>) => keep.map(([, i]) => finite(source[i], options.logY));
     const columns: (number | null)[][] = [values(line.y)];
     if (line.low && line.high) {
       columns.push(values(line.high), values(line.low));
@@ -81,10 +79,7 @@ function table(options: ChartOptions): { data: uPlot.AlignedData; bands: uPlot.B
 function series(options: ChartOptions): uPlot.Series[] {
   const unit = options.unit ? ` ${options.unit}` : "";
   const time = !options.xLabel;
-  const out: uPlot.Series[] = [{
-    label: time ? "time" : options.xLabel,
-    value: (_, v) => (v == null ? "–" : time ? clock(v) : number(v, 4)),
-  }];
+  const out: uPlot.Series[] = [{ label: time ? "time" : options.xLabel, value: (_, v) => (v == null ? "–" : time ? clock(v) : number(v, 4)) }];
   for (const line of options.lines) {
     const single = line.y.length === 1;
     out.push({
@@ -92,16 +87,13 @@ function series(options: ChartOptions): uPlot.Series[] {
       stroke: () => paint(line),
       width: line.points ? 0 : line.colour === "ink" ? 2 : 1.75,
       dash: kDashes[line.dash ?? "solid"],
-      points: line.points || single
-        ? { show: true, size: 6, fill: () => paint(line) }
-        : { show: false },
+      points: line.points || single ? { show: true, size: 6, fill: () => paint(line) } : { show: false },
       spanGaps: false,
       value: (_, v) => (v == null ? "–" : number(v, 3) + unit),
     });
     if (line.low && line.high)
       for (const end of ["high", "low"])
-        out.push({ label: `${line.name} ${end}`, stroke: "transparent", width: 0,
-          points: { show: false }, class: "u-hidden" } as uPlot.Series);
+        out.push({ label: `${line.name} ${end}`, stroke: "transparent", width: 0, points: { show: false }, class: "u-hidden" } as uPlot.Series);
   }
   return out;
 }
@@ -109,7 +101,9 @@ function series(options: ChartOptions): uPlot.Series[] {
 /** Draws what lies under the lines: the good range, levels and marks. */
 function drawGround(u: uPlot, options: ChartOptions): void {
   const { left, top, width, height } = u.bbox;
-  const context = u.ctx, colours = theme(), ratio = window.devicePixelRatio || 1;
+  const context = u.ctx,
+    colours = theme(),
+    ratio = window.devicePixelRatio || 1;
   context.save();
   context.beginPath();
   context.rect(left, top, width, height);
@@ -180,35 +174,55 @@ function axes(options: ChartOptions): uPlot.Axis[] {
   const time = !options.xLabel;
   const plain = (_: uPlot, values: (number | null)[]) => values.map((v) => (v == null ? "" : tick(v)));
   return [
-    { ...common, label: options.xLabel, labelSize: 18, size: 30, space: 64,
+    {
+      ...common,
+      label: options.xLabel,
+      labelSize: 18,
+      size: 30,
+      space: 64,
       incrs: time ? kTimeSteps : undefined,
-      values: time ? (_, values) => values.map((v) => clock(v)) : plain },
-    { ...common, label: options.yLabel, labelSize: 18, values: plain,
-      size: (_, texts) => Math.max(56, 16 + 7 * Math.max(0, ...(texts ?? []).map((text) => text.length))) },
+      values: time ? (_, values) => values.map((v) => clock(v)) : plain,
+    },
+    {
+      ...common,
+      label: options.yLabel,
+      labelSize: 18,
+      values: plain,
+      size: (_, texts) => Math.max(56, 16 + 7 * Math.max(0, ...(texts ?? []).map((text) => text.length))),
+    },
   ];
 }
 
 /** Makes a plot; it takes the width of its element and follows it. */
 export function chart(options: ChartOptions): Chart {
   const holder = h("div", { class: "plot" });
-  const element = h("figure", { class: "chart" },
-    h("figcaption", {}, h("strong", {}, options.title),
+  const element = h(
+    "figure",
+    { class: "chart" },
+    h(
+      "figcaption",
+      {},
+      h("strong", {}, options.title),
       options.unit ? h("span", { class: "unit" }, ` ${options.unit}`) : null,
-      options.note ? h("span", { class: "note" }, options.note) : null),
-    holder);
+      options.note ? h("span", { class: "note" }, options.note) : null,
+    ),
+    holder,
+  );
   const { data, bands } = table(options);
   // By column, as uPlot counts: a line with a band takes three.
-  const dashes: string[] = ["solid", ...options.lines.flatMap((line) => {
-    const dash = line.points ? "dotted" : line.dash ?? "solid";
-    return line.low && line.high ? [dash, dash, dash] : [dash];
-  })];
+  const dashes: string[] = [
+    "solid",
+    ...options.lines.flatMap((line) => {
+      const dash = line.points ? "dotted" : (line.dash ?? "solid");
+      return line.low && line.high ? [dash, dash, dash] : [dash];
+    }),
+  ];
   if (!(data[0]?.length > 0) && !options.live) {
     holder.append(h("p", { class: "empty" }, "The records hold nothing for this plot."));
     return { element, showTime: () => undefined, update: () => undefined, remove: () => element.remove() };
   }
   holder.setAttribute("role", "img");
-  holder.setAttribute("aria-label", `${options.title}${options.unit ? ` in ${options.unit}` : ""}: ` +
-    options.lines.map((line) => line.name).join(", "));
+  holder.setAttribute("aria-label", `${options.title}${options.unit ? ` in ${options.unit}` : ""}: ` + options.lines.map((line) => line.name).join(", "));
 
   const timeLine = h("div", { class: "time-line", hidden: true });
   let plot: uPlot | undefined;
@@ -219,37 +233,43 @@ export function chart(options: ChartOptions): Chart {
     timeLine.style.transform = `translateX(${plot.valToPos(shown, "x")}px)`;
   };
   const height = options.height ?? kHeight;
-  const xLow = data[0][0] as number, xHigh = data[0][data[0].length - 1] as number;
-  plot = new uPlot({
-    width: 480,
-    height,
-    bands,
-    series: series(options),
-    axes: axes(options),
-    scales: {
-      x: { time: false, distr: options.logX ? 3 : 1,
-        ...(xLow === xHigh && !options.live ? { range: [xLow - 1, xHigh + 1] as [number, number] } : {}) },
-      y: { distr: options.logY ? 3 : 1, range: yRange(options) },
+  const xLow = data[0][0] as number,
+    xHigh = data[0][data[0].length - 1] as number;
+  plot = new uPlot(
+    {
+      width: 480,
+      height,
+      bands,
+      series: series(options),
+      axes: axes(options),
+      scales: {
+        x: { time: false, distr: options.logX ? 3 : 1, ...(xLow === xHigh && !options.live ? { range: [xLow - 1, xHigh + 1] as [number, number] } : {}) },
+        y: { distr: options.logY ? 3 : 1, range: yRange(options) },
+      },
+      padding: [(options.marks ?? []).length > 0 ? 20 : 8, null, null, null],
+      legend: {
+        markers: {
+          width: 2,
+          stroke: (u, i) => (typeof u.series[i].stroke === "function" ? (u.series[i].stroke as (u: uPlot, i: number) => string)(u, i) : ""),
+          fill: () => "transparent",
+          dash: (_, i) => dashes[i] ?? "solid",
+        },
+      },
+      cursor: { sync: options.sync ? { key: options.sync, scales: ["x", null] } : undefined, points: { size: 7 }, drag: { x: true, y: false } },
+      hooks: {
+        drawClear: [(u) => drawGround(u, options)],
+        draw: [place],
+        ready: [
+          (u) => {
+            u.over.append(timeLine);
+            if (options.onPick) u.over.addEventListener("click", (event) => options.onPick?.(u.posToVal(event.offsetX, "x")));
+          },
+        ],
+      },
     },
-    padding: [(options.marks ?? []).length > 0 ? 20 : 8, null, null, null],
-    legend: { markers: {
-      width: 2,
-      stroke: (u, i) => (typeof u.series[i].stroke === "function" ? (u.series[i].stroke as (u: uPlot, i: number) => string)(u, i) : ""),
-      fill: () => "transparent",
-      dash: (_, i) => dashes[i] ?? "solid",
-    } },
-    cursor: { sync: options.sync ? { key: options.sync, scales: ["x", null] } : undefined,
-      points: { size: 7 }, drag: { x: true, y: false } },
-    hooks: {
-      drawClear: [(u) => drawGround(u, options)],
-      draw: [place],
-      ready: [(u) => {
-        u.over.append(timeLine);
-        if (options.onPick)
-          u.over.addEventListener("click", (event) => options.onPick?.(u.posToVal(event.offsetX, "x")));
-      }],
-    },
-  }, data, holder);
+    data,
+    holder,
+  );
 
   const sizes = new ResizeObserver(() => {
     const width = Math.floor(holder.clientWidth);
@@ -259,7 +279,10 @@ export function chart(options: ChartOptions): Chart {
   const forget = onThemeChange(() => plot?.redraw(false));
   return {
     element,
-    showTime: (x) => { shown = x; place(); },
+    showTime: (x) => {
+      shown = x;
+      place();
+    },
     update: (lines) => {
       options.lines = lines; // a colour is looked up when it is drawn
       plot?.setData(table(options).data);

@@ -5,11 +5,7 @@ type Child = Node | string | null | undefined;
 type Attributes = Record<string, string | number | boolean | EventListener | undefined>;
 
 /** Makes an element; `on...` attributes are listeners, false and undefined are left out. */
-export function h<K extends keyof HTMLElementTagNameMap>(
-  tag: K,
-  attributes: Attributes = {},
-  ...children: Child[]
-): HTMLElementTagNameMap[K] {
+export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (value === undefined || value === false) continue;
@@ -22,15 +18,16 @@ export function h<K extends keyof HTMLElementTagNameMap>(
 
 /** A titled part of the page. */
 export function section(title: string, id: string, ...children: Child[]): HTMLElement {
-  return h("section", { id, "aria-labelledby": `${id}-title` },
-    h("h2", { id: `${id}-title` }, title), ...children);
+  return h("section", { id, "aria-labelledby": `${id}-title` }, h("h2", { id: `${id}-title` }, title), ...children);
 }
 
 /** 75 s as "1:15", from an hour on "1:01:15". */
 export function clock(seconds: number): string {
   const whole = Math.round(seconds);
   const two = (n: number) => String(n).padStart(2, "0");
-  const s = two(whole % 60), m = Math.floor(whole / 60) % 60, hours = Math.floor(whole / 3600);
+  const s = two(whole % 60),
+    m = Math.floor(whole / 60) % 60,
+    hours = Math.floor(whole / 3600);
   return hours > 0 ? `${hours}:${two(m)}:${s}` : `${m}:${s}`;
 }
 

@@ -12,11 +12,23 @@ import { Decoder, type Columns, type Reader } from "./wire";
 /** Floats of an aircraft in `Fleet.motion`: the place before and now, headings, state. */
 export const kMotion = 16;
 /** Places in a motion: x east, y south, altitude [m], time [s]; then the same of now. */
-export const kBefore = 0, kNow = 4, kHeadings = 8, kIcon = 10, kTint = 11, kGround = 12, kHeard = 13, kRadius = 14;
+export const kBefore = 0,
+  kNow = 4,
+  kHeadings = 8,
+  kIcon = 10,
+  kTint = 11,
+  kGround = 12,
+  kHeard = 13,
+  kRadius = 14;
 
 const kTailPoint = 4; // x, y, altitude, time
 /** Points of a tail, a second apart at least, by the number of aircraft. */
-const kTails: [upTo: number, length: number][] = [[8, 300], [40, 120], [300, 40], [Infinity, 12]];
+const kTails: [upTo: number, length: number][] = [
+  [8, 300],
+  [40, 120],
+  [300, 40],
+  [Infinity, 12],
+];
 
 /** Tails fill whole rows of a texture. */
 function tailArray(capacity: number, length: number): Float32Array {
@@ -62,11 +74,19 @@ export class Fleet {
   tailVersion = 0;
   private tailEvery = 1; // [s] of simulated time
 
-  constructor(decoder: Decoder, kind: string, frameStruct: string, table: { structs: Record<string, [string, string, ...unknown[]][]> },
-    private readonly frame: Frame, withTails = true) {
+  constructor(
+    decoder: Decoder,
+    kind: string,
+    frameStruct: string,
+    table: { structs: Record<string, [string, string, ...unknown[]][]> },
+    private readonly frame: Frame,
+    withTails = true,
+  ) {
     const list = table.structs[frameStruct].find(([, type]) => type.endsWith("[]"))!;
     this.columns = decoder.columns(list[1].slice(1, -2));
-    this.columns.names.forEach((name, k) => { this.column[name] = k; });
+    this.columns.names.forEach((name, k) => {
+      this.column[name] = k;
+    });
     if (!withTails) this.tailLength = 0;
     this.tracks = withTails ? new Tracks() : null;
     this.rows = new Float64Array(this.capacity * this.columns.width);
@@ -101,12 +121,15 @@ export class Fleet {
   /** A word of an enumeration. */
   word(row: number, name: string): string {
     const column = this.column[name];
-    return column === undefined ? "" : this.columns.words[column]?.[this.rows[row * this.columns.width + column]] ?? "";
+    return column === undefined ? "" : (this.columns.words[column]?.[this.rows[row * this.columns.width + column]] ?? "");
   }
 
   private grow(): void {
     this.capacity *= 2;
-    const copy = <A extends Float32Array | Float64Array | Int32Array>(to: A, from: A): A => { to.set(from as never); return to; };
+    const copy = <A extends Float32Array | Float64Array | Int32Array>(to: A, from: A): A => {
+      to.set(from as never);
+      return to;
+    };
     this.rows = copy(new Float64Array(this.capacity * this.columns.width), this.rows);
     this.motion = copy(new Float32Array(this.capacity * kMotion), this.motion);
     this.ids = copy(new Int32Array(this.capacity), this.ids);
@@ -115,7 +138,8 @@ export class Fleet {
 
   /** Many aircraft have short tails. */
   private setTailLength(length: number, keep: boolean): void {
-    const tails = tailArray(this.capacity, length), heads = new Int32Array(this.capacity).fill(-1);
+    const tails = tailArray(this.capacity, length),
+      heads = new Int32Array(this.capacity).fill(-1);
     if (keep && length === this.tailLength) {
       tails.set(this.tails);
       heads.set(this.tailHead);
@@ -140,12 +164,14 @@ export class Fleet {
   }
 
   private read(r: Reader): void {
-    const length = r.uint(), end = r.at + length;
+    const length = r.uint(),
+      end = r.at + length;
     const time = r.time();
     if (time < this.time - 1e-6) this.restart();
     if (this.version === 0 || Math.abs(time - this.epoch) > 3600) this.moveEpoch(time);
     this.time = time;
-    const { width } = this.columns, idColumn = this.column.entity_id;
+    const { width } = this.columns,
+      idColumn = this.column.entity_id;
     for (let left = r.uint(); left > 0; --left) {
       this.columns.read(r, this.scratch, 0);
       const id = this.scratch[idColumn];
@@ -180,8 +206,12 @@ export class Fleet {
   }
 
   private move(row: number, time: number, fresh: boolean): void {
-    const m = this.motion, at = row * kMotion, { column, rows } = this, from = row * this.columns.width;
-    const north = rows[from + column.north_m], east = rows[from + column.east_m];
+    const m = this.motion,
+      at = row * kMotion,
+      { column, rows } = this,
+      from = row * this.columns.width;
+    const north = rows[from + column.north_m],
+      east = rows[from + column.east_m];
     const jumped = fresh || time - this.epoch - m[at + kNow + 3] > this.gap;
     if (!jumped) {
       m.copyWithin(at + kBefore, at + kNow, at + kNow + 4);
@@ -195,7 +225,8 @@ export class Fleet {
       m.copyWithin(at + kBefore, at + kNow, at + kNow + 4);
       m[at + kHeadings] = m[at + kHeadings + 1];
     }
-    const heard = rows[from + column.heard_s], age = rows[from + column.age_s];
+    const heard = rows[from + column.heard_s],
+      age = rows[from + column.age_s];
     m[at + kHeard] = (heard === heard ? Math.min(heard, time - (age || 0)) : time - (age || 0)) - this.epoch;
     m[at + kTint] = rows[from + column.failsafe] > 0 ? this.warnedTint : this.count <= 8 ? row % 8 : this.plainTint;
     this.tracks?.add(this.ids[row], m[at + kNow], m[at + kNow + 1], m[at + kNow + 2], time);
@@ -203,7 +234,10 @@ export class Fleet {
   }
 
   private trail(row: number, broken: boolean): void {
-    const n = this.tailLength, base = row * (n + 1) * kTailPoint, m = this.motion, at = row * kMotion + kNow;
+    const n = this.tailLength,
+      base = row * (n + 1) * kTailPoint,
+      m = this.motion,
+      at = row * kMotion + kNow;
     let head = this.tailHead[row];
     if (broken) {
       this.tails.fill(0, base, base + (n + 1) * kTailPoint);
@@ -213,8 +247,7 @@ export class Fleet {
     if (head < 0) this.motion[row * kMotion + kGround] = this.groundAt(this.get(row, "north_m"), this.get(row, "east_m"));
     head = (head + 1) % n;
     // A place that was never written is far in the past: its segments are not drawn.
-    if (head === 0 && this.tailHead[row] < 0)
-      for (let k = 0; k <= n; ++k) this.tails[base + k * kTailPoint + 3] = -1e9;
+    if (head === 0 && this.tailHead[row] < 0) for (let k = 0; k <= n; ++k) this.tails[base + k * kTailPoint + 3] = -1e9;
     for (let k = 0; k < 4; ++k) this.tails[base + head * kTailPoint + k] = m[at + k];
     if (head === 0) for (let k = 0; k < 4; ++k) this.tails[base + n * kTailPoint + k] = m[at + k];
     this.tailHead[row] = head;
@@ -227,8 +260,12 @@ export class Fleet {
    * two frames, and at most a second beyond.
    */
   pose(row: number, time: number, out: Float64Array): void {
-    const m = this.motion, at = row * kMotion, t = time - this.epoch;
-    const t0 = m[at + kBefore + 3], t1 = m[at + kNow + 3], span = t1 - t0;
+    const m = this.motion,
+      at = row * kMotion,
+      t = time - this.epoch;
+    const t0 = m[at + kBefore + 3],
+      t1 = m[at + kNow + 3],
+      span = t1 - t0;
     const f = span > 1e-4 ? Math.max(0, (Math.min(t, t1 + 1) - t0) / span) : 1;
     for (let k = 0; k < 3; ++k) out[k] = m[at + kBefore + k] + f * (m[at + kNow + k] - m[at + kBefore + k]);
     let turn = m[at + kHeadings + 1] - m[at + kHeadings];
@@ -258,7 +295,8 @@ export class PlayTime implements ShownTime {
 
   /** A frame of this time has come. */
   frame(time: number, wall: number): void {
-    const dt = time - this.newest, dw = wall - this.newestWall;
+    const dt = time - this.newest,
+      dw = wall - this.newestWall;
     if (!this.begun || dt < 0 || dt > Math.max(30, 20 * this.gap)) {
       this.begun = true;
       this.newest = this.anchor = time;

@@ -25,7 +25,8 @@ const kRad = Math.PI / 180;
 
 /** ECEF of a geodetic place [m]. */
 function ecef(latitude: number, longitude: number, height: number): [number, number, number] {
-  const s = Math.sin(latitude), c = Math.cos(latitude);
+  const s = Math.sin(latitude),
+    c = Math.cos(latitude);
   const n = kWgs84.a / Math.sqrt(1 - kE2 * s * s);
   return [(n + height) * c * Math.cos(longitude), (n + height) * c * Math.sin(longitude), (n * (1 - kE2) + height) * s];
 }
@@ -46,7 +47,8 @@ export class Frame {
   private lon = 0;
 
   constructor(readonly origin: Origin) {
-    const lat = origin.latitude_deg * kRad, lon = origin.longitude_deg * kRad;
+    const lat = origin.latitude_deg * kRad,
+      lon = origin.longitude_deg * kRad;
     this.p0 = ecef(lat, lon, origin.height_m);
     [this.sinLat, this.cosLat, this.sinLon, this.cosLon] = [Math.sin(lat), Math.cos(lat), Math.sin(lon), Math.cos(lon)];
     this.mercatorX = mercatorX(origin.longitude_deg);
@@ -60,9 +62,11 @@ export class Frame {
     const x = p0[0] - sinLat * cosLon * north - sinLon * east + cosLat * cosLon * up;
     const y = p0[1] - sinLat * sinLon * north + cosLon * east + cosLat * sinLon * up;
     const z = p0[2] + cosLat * north + sinLat * up;
-    const p = Math.hypot(x, y), ep2 = kE2 / (1 - kE2);
+    const p = Math.hypot(x, y),
+      ep2 = kE2 / (1 - kE2);
     const theta = Math.atan2(z * kWgs84.a, p * kB);
-    const s = Math.sin(theta), c = Math.cos(theta);
+    const s = Math.sin(theta),
+      c = Math.cos(theta);
     this.lat = Math.atan2(z + ep2 * kB * s * s * s, p - kE2 * kWgs84.a * c * c * c);
     this.lon = Math.atan2(y, x);
   }
@@ -82,10 +86,14 @@ export class Frame {
   /** North and east of a place on the origin's height. */
   toLocal({ latitude_deg, longitude_deg }: LatLon): { north_m: number; east_m: number } {
     // The vertical there is not the frame's: the height that makes `up` zero is found by iteration.
-    let h = this.origin.height_m, north = 0, east = 0;
+    let h = this.origin.height_m,
+      north = 0,
+      east = 0;
     for (let k = 0; k < 3; ++k) {
       const p = ecef(latitude_deg * kRad, longitude_deg * kRad, h);
-      const dx = p[0] - this.p0[0], dy = p[1] - this.p0[1], dz = p[2] - this.p0[2];
+      const dx = p[0] - this.p0[0],
+        dy = p[1] - this.p0[1],
+        dz = p[2] - this.p0[2];
       const { sinLat, cosLat, sinLon, cosLon } = this;
       north = -sinLat * cosLon * dx - sinLat * sinLon * dy + cosLat * dz;
       east = -sinLon * dx + cosLon * dy;
@@ -128,8 +136,7 @@ const kBands = "CDEFGHJKLMNPQRSTUVWX";
 function utmZone(latitude_deg: number, longitude_deg: number): number {
   const zone = Math.min(60, Math.floor((longitude_deg + 180) / 6) + 1);
   if (latitude_deg >= 56 && latitude_deg < 64 && longitude_deg >= 3 && longitude_deg < 12) return 32;
-  if (latitude_deg >= 72 && longitude_deg >= 0 && longitude_deg < 42)
-    return longitude_deg < 9 ? 31 : longitude_deg < 21 ? 33 : longitude_deg < 33 ? 35 : 37;
+  if (latitude_deg >= 72 && longitude_deg >= 0 && longitude_deg < 42) return longitude_deg < 9 ? 31 : longitude_deg < 21 ? 33 : longitude_deg < 33 ? 35 : 37;
   return zone;
 }
 
@@ -141,8 +148,12 @@ function utmZone(latitude_deg: number, longitude_deg: number): number {
 export function toUtm({ latitude_deg, longitude_deg }: LatLon): Utm | null {
   if (latitude_deg < -80 || latitude_deg >= 84) return null;
   const zone = utmZone(latitude_deg, longitude_deg);
-  const lambda = (longitude_deg - (zone * 6 - 183)) * kRad, phi = latitude_deg * kRad;
-  const n = kWgs84.f / (2 - kWgs84.f), n2 = n * n, n3 = n2 * n, n4 = n3 * n;
+  const lambda = (longitude_deg - (zone * 6 - 183)) * kRad,
+    phi = latitude_deg * kRad;
+  const n = kWgs84.f / (2 - kWgs84.f),
+    n2 = n * n,
+    n3 = n2 * n,
+    n4 = n3 * n;
   const radius = (kWgs84.a / (1 + n)) * (1 + n2 / 4 + n4 / 64);
   const alpha = [
     n / 2 - (2 * n2) / 3 + (5 * n3) / 16 + (41 * n4) / 180,
@@ -150,12 +161,15 @@ export function toUtm({ latitude_deg, longitude_deg }: LatLon): Utm | null {
     (61 * n3) / 240 - (103 * n4) / 140,
     (49561 * n4) / 161280,
   ];
-  const e = Math.sqrt(kE2), tau = Math.tan(phi), root = Math.hypot(1, tau);
+  const e = Math.sqrt(kE2),
+    tau = Math.tan(phi),
+    root = Math.hypot(1, tau);
   const sigma = Math.sinh(e * Math.atanh((e * tau) / root));
   const tauC = tau * Math.hypot(1, sigma) - sigma * root; // conformal latitude
   const xiC = Math.atan2(tauC, Math.cos(lambda));
   const etaC = Math.asinh(Math.sin(lambda) / Math.hypot(tauC, Math.cos(lambda)));
-  let xi = xiC, eta = etaC;
+  let xi = xiC,
+    eta = etaC;
   alpha.forEach((a, k) => {
     const j = 2 * (k + 1);
     xi += a * Math.sin(j * xiC) * Math.cosh(j * etaC);

@@ -8,7 +8,12 @@ export type Keys = Record<string, () => void>;
 
 /** Writes into a field, or moves in a list of its own. */
 function typing(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && (target.isContentEditable || /^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName) && (target as HTMLInputElement).type !== "checkbox" || target.closest("dialog") !== null);
+  return (
+    target instanceof HTMLElement &&
+    (target.isContentEditable ||
+      (/^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName) && (target as HTMLInputElement).type !== "checkbox") ||
+      target.closest("dialog") !== null)
+  );
 }
 
 /** @param where  whose keys they are: of the page, or of a part of it that has the focus */
@@ -29,5 +34,12 @@ export function listenToKeys(keys: Keys, first: (event: KeyboardEvent) => boolea
 }
 
 export function showKeys(): void {
-  dialog(T.keys.title, h("table", { class: "table keys" }, h("tbody", {}, ...T.keys.list.map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, h("kbd", {}, key)), h("td", {}, what))))));
+  dialog(
+    T.keys.title,
+    h(
+      "table",
+      { class: "table keys" },
+      h("tbody", {}, ...T.keys.list.map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, h("kbd", {}, key)), h("td", {}, what)))),
+    ),
+  );
 }

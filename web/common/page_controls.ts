@@ -28,15 +28,27 @@ const speedText = (factor: number) => (factor === 0 ? T.top.fast : `${factor}×`
 export function timeControls(view: RunView): HTMLElement {
   const play = iconButton("pause", T.top.pause, () => view.pause(!view.world.clock.paused));
   const step = iconButton("step", T.top.step, () => view.step(1));
-  const speed = h("select", { "aria-label": T.top.speed, title: T.top.speeds, onchange: () => view.speed(Number(speed.value)) },
-    ...view.speeds.map((s) => option(String(s), speedText(s))));
-  const time = h("span", { class: "run-time" }), utcText = h("span", { class: "run-utc" });
+  const speed = h(
+    "select",
+    { "aria-label": T.top.speed, title: T.top.speeds, onchange: () => view.speed(Number(speed.value)) },
+    ...view.speeds.map((s) => option(String(s), speedText(s))),
+  );
+  const time = h("span", { class: "run-time" }),
+    utcText = h("span", { class: "run-utc" });
   const rate = h("span", { class: "rate" });
-  const element = h("div", { class: "time-controls", role: "group", "aria-label": T.top.time },
-    play, step, speed, h("div", { class: "clock", role: "timer", "aria-label": T.top.time }, time, utcText), rate);
+  const element = h(
+    "div",
+    { class: "time-controls", role: "group", "aria-label": T.top.time },
+    play,
+    step,
+    speed,
+    h("div", { class: "clock", role: "timer", "aria-label": T.top.time }, time, utcText),
+    rate,
+  );
   let shownPaused: boolean | null = null;
   view.every(() => {
-    const { clock: c } = view.world, now = view.world.time;
+    const { clock: c } = view.world,
+      now = view.world.time;
     setText(time, clock(Math.floor(now)));
     setText(utcText, utc(view.run.start_utc, now));
     if (shownPaused !== c.paused) {
@@ -64,25 +76,46 @@ export function timeControls(view: RunView): HTMLElement {
 export function settingsMenu(view: RunView, more: HTMLElement[] = []): HTMLElement {
   const { settings } = view;
   const opener = iconButton("settings", T.top.settings, () => undefined);
-  const theme = h("select", { onchange: () => {
-    settings.theme = theme.value as ThemeChoice;
-    view.saveSettings();
-    applyTheme(settings.theme);
-  } }, ...Object.entries(T.top.themes).map(([value, text]) => option(value, text, value === settings.theme)));
-  const units = h("select", { onchange: () => {
-    settings.units = units.value as typeof settings.units;
-    view.saveSettings();
-    view.map.redraw();
-  } }, ...Object.entries(T.top.unitSets).map(([value, text]) => option(value, text, value === settings.units)));
-  const panel = h("div", { class: "popover settings-panel", role: "group", "aria-label": T.top.settings },
-    labelledField(T.top.theme, theme), labelledField(T.top.units, units), ...more);
+  const theme = h(
+    "select",
+    {
+      onchange: () => {
+        settings.theme = theme.value as ThemeChoice;
+        view.saveSettings();
+        applyTheme(settings.theme);
+      },
+    },
+    ...Object.entries(T.top.themes).map(([value, text]) => option(value, text, value === settings.theme)),
+  );
+  const units = h(
+    "select",
+    {
+      onchange: () => {
+        settings.units = units.value as typeof settings.units;
+        view.saveSettings();
+        view.map.redraw();
+      },
+    },
+    ...Object.entries(T.top.unitSets).map(([value, text]) => option(value, text, value === settings.units)),
+  );
+  const panel = h(
+    "div",
+    { class: "popover settings-panel", role: "group", "aria-label": T.top.settings },
+    labelledField(T.top.theme, theme),
+    labelledField(T.top.units, units),
+    ...more,
+  );
   popover(opener, panel);
   return h("div", { class: "popover-holder" }, opener, panel);
 }
 
 /** Turns the map into three dimensions and back. */
 export function dimensionButton(view: RunView, action: () => void): HTMLElement {
-  const button = h("button", { type: "button", class: "dimension", title: T.top.dimension, "aria-label": T.top.dimension, "aria-pressed": "false", onclick: action }, "3D");
+  const button = h(
+    "button",
+    { type: "button", class: "dimension", title: T.top.dimension, "aria-label": T.top.dimension, "aria-pressed": "false", onclick: action },
+    "3D",
+  );
   view.every(() => button.setAttribute("aria-pressed", String(view.map.is3d)));
   return button;
 }

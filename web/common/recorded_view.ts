@@ -30,8 +30,12 @@ export class RecordedView extends RunView {
   private readonly listener = (time: number) => this.show(time);
   private readonly recording: Recording;
 
-  constructor(recorded: RecordedRun, private readonly player: Player) {
-    const decoder = new Decoder(kTable as Table), frame = new Frame(recorded.run.origin ?? kUnknownOrigin);
+  constructor(
+    recorded: RecordedRun,
+    private readonly player: Player,
+  ) {
+    const decoder = new Decoder(kTable as Table),
+      frame = new Frame(recorded.run.origin ?? kUnknownOrigin);
     const world = new World(frame, decoder, kTable, { play: player, gap: recorded.step_s });
     super(recorded.run, Terrain.read(recorded.terrain, frame), world);
     this.recording = new Recording(world, decoder, recorded.records, recorded.frames);
@@ -72,7 +76,16 @@ export class RecordedView extends RunView {
   private show(time_s: number): void {
     const { playing, speed, end } = this.player;
     this.recording.show(time_s);
-    this.world.take("run_clock", { time_s, duration_s: end, speed, wanted_speed: speed, paused: !playing, over: !playing && time_s >= end, misses: 0, headline: "" });
+    this.world.take("run_clock", {
+      time_s,
+      duration_s: end,
+      speed,
+      wanted_speed: speed,
+      paused: !playing,
+      over: !playing && time_s >= end,
+      misses: 0,
+      headline: "",
+    });
     if (!playing) this.map.redraw();
   }
 }

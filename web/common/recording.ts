@@ -16,9 +16,11 @@ type Item = [kind: string, value: unknown];
 
 /** Messages that stand behind each other: time [s] (64-bit float), length (32-bit unsigned), bytes. */
 function messages(bytes: ArrayBuffer): Message[] {
-  const view = new DataView(bytes), all: Message[] = [];
+  const view = new DataView(bytes),
+    all: Message[] = [];
   for (let at = 0; at < bytes.byteLength;) {
-    const time = view.getFloat64(at, true), length = view.getUint32(at + 8, true);
+    const time = view.getFloat64(at, true),
+      length = view.getUint32(at + 8, true);
     at += 12;
     if (at + length > bytes.byteLength) throw new RangeError("the recording ends too early");
     all.push({ time, bytes: bytes.slice(at, at + length) });
@@ -37,7 +39,12 @@ export class Recording {
   private shown = -1;
 
   /** @param records  messages of records, @param frames  of a fleet frame and a truth frame each; in order of time */
-  constructor(private readonly world: World, private readonly decoder: Decoder, records: ArrayBuffer, frames: ArrayBuffer) {
+  constructor(
+    private readonly world: World,
+    private readonly decoder: Decoder,
+    records: ArrayBuffer,
+    frames: ArrayBuffer,
+  ) {
     this.records = messages(records);
     this.frames = messages(frames);
   }

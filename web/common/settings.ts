@@ -39,11 +39,34 @@ export interface Settings {
 const kKey = "skein.page";
 
 const kDefaults: Settings = {
-  theme: "auto", units: "metric", sound: true, tail: 120, imagery: true, position: "latlon",
+  theme: "auto",
+  units: "metric",
+  sound: true,
+  tail: 120,
+  imagery: true,
+  position: "latlon",
   layers: {
-    terrain: true, truth: true, belief: true, band: true, sigmas: true, forecasts: true, forecastBands: false, horizon: 0,
-    crossings: true, readings: true, tails: true, tracks: false, tasks: true, paths: true, safety: true, footprints: true, objects: true, traffic: true,
-    missions: true, zones: true, names: true,
+    terrain: true,
+    truth: true,
+    belief: true,
+    band: true,
+    sigmas: true,
+    forecasts: true,
+    forecastBands: false,
+    horizon: 0,
+    crossings: true,
+    readings: true,
+    tails: true,
+    tracks: false,
+    tasks: true,
+    paths: true,
+    safety: true,
+    footprints: true,
+    objects: true,
+    traffic: true,
+    missions: true,
+    zones: true,
+    names: true,
   },
 };
 

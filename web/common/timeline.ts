@@ -20,8 +20,22 @@ function look(kind: string): { row: number; shape: "dot" | "triangle" | "square"
 export function timeSlider(view: RunView): HTMLInputElement {
   let dragging = false;
   const seek = () => view.seek(Number(slider.value));
-  const slider = h("input", { type: "range", min: 0, max: view.end, step: 0.1, "aria-label": T.replay.slider, class: "seek",
-    oninput: () => { dragging = true; if (view.seeksAtOnce) seek(); }, onchange: () => { dragging = false; seek(); } });
+  const slider = h("input", {
+    type: "range",
+    min: 0,
+    max: view.end,
+    step: 0.1,
+    "aria-label": T.replay.slider,
+    class: "seek",
+    oninput: () => {
+      dragging = true;
+      if (view.seeksAtOnce) seek();
+    },
+    onchange: () => {
+      dragging = false;
+      seek();
+    },
+  });
   view.every(() => {
     // Where seeking takes its time, the slider stays where it was put.
     if (!dragging && (view.seeksAtOnce || document.activeElement !== slider)) slider.value = String(view.world.time);
@@ -36,8 +50,13 @@ export function replayButtons(view: RunView, events: () => readonly KeptEvent[] 
     const next = by > 0 ? events().find((e) => e.time_s > time + 0.5) : [...events()].reverse().find((e) => e.time_s < time - 1);
     if (next) view.seek(next.time_s);
   };
-  return h("div", { class: "replay-buttons" }, iconButton("first", T.replay.begin, () => view.seek(0)),
-    iconButton("previous", T.replay.previous, () => jump(-1)), iconButton("next", T.replay.next, () => jump(1)));
+  return h(
+    "div",
+    { class: "replay-buttons" },
+    iconButton("first", T.replay.begin, () => view.seek(0)),
+    iconButton("previous", T.replay.previous, () => jump(-1)),
+    iconButton("next", T.replay.next, () => jump(1)),
+  );
 }
 
 export class Timeline {
@@ -47,19 +66,33 @@ export class Timeline {
   private shown = "";
 
   /** @param isOneOfSeveral  what moves through the time is elsewhere, for all of them */
-  constructor(private readonly view: RunView, isOneOfSeveral = false) {
+  constructor(
+    private readonly view: RunView,
+    isOneOfSeveral = false,
+  ) {
     const moves = view.run.replay && !isOneOfSeveral;
     const stack = h("div", { class: "timeline-stack" }, this.canvas, this.tip, moves ? timeSlider(view) : null);
-    this.element = h("div", { class: "timeline", role: isOneOfSeveral ? "group" : "region", "aria-label": T.timeline.title }, moves ? replayButtons(view) : null, stack);
+    this.element = h(
+      "div",
+      { class: "timeline", role: isOneOfSeveral ? "group" : "region", "aria-label": T.timeline.title },
+      moves ? replayButtons(view) : null,
+      stack,
+    );
     this.canvas.addEventListener("pointermove", (event) => this.point(event));
-    this.canvas.addEventListener("pointerleave", () => { this.tip.hidden = true; });
+    this.canvas.addEventListener("pointerleave", () => {
+      this.tip.hidden = true;
+    });
     this.canvas.addEventListener("click", (event) => {
       const found = this.nearest(event);
       if (found) view.jumpTo(found);
       else if (view.run.replay) view.seek(this.timeAt(event.offsetX));
     });
-    new ResizeObserver(() => { this.shown = ""; }).observe(this.canvas);
-    onThemeChange(() => { this.shown = ""; });
+    new ResizeObserver(() => {
+      this.shown = "";
+    }).observe(this.canvas);
+    onThemeChange(() => {
+      this.shown = "";
+    });
     view.every(() => this.update());
   }
 
@@ -68,8 +101,11 @@ export class Timeline {
   }
 
   private nearest(event: PointerEvent | MouseEvent): KeptEvent | null {
-    const time = this.timeAt(event.offsetX), reach = this.timeAt(7), row = Math.floor((event.offsetY / kHigh) * 3);
-    let best: KeptEvent | null = null, least = Infinity;
+    const time = this.timeAt(event.offsetX),
+      reach = this.timeAt(7),
+      row = Math.floor((event.offsetY / kHigh) * 3);
+    let best: KeptEvent | null = null,
+      least = Infinity;
     for (const each of this.view.events) {
       const d = Math.abs(each.time_s - time) + (look(each.kind).row === row ? 0 : reach / 2);
       if (d < reach && d < least) {
@@ -90,7 +126,8 @@ export class Timeline {
   }
 
   private update(): void {
-    const { world } = this.view, width = this.canvas.clientWidth;
+    const { world } = this.view,
+      width = this.canvas.clientWidth;
     const key = `${world.version.events} ${Math.round((world.time / this.view.end) * width)} ${width} ${theme().dark}`;
     if (key === this.shown || width === 0) return;
     this.shown = key;
@@ -98,11 +135,15 @@ export class Timeline {
   }
 
   private draw(width: number): void {
-    const { world } = this.view, ratio = Math.min(2, devicePixelRatio || 1), colours = theme(), c = this.canvas.getContext("2d")!;
+    const { world } = this.view,
+      ratio = Math.min(2, devicePixelRatio || 1),
+      colours = theme(),
+      c = this.canvas.getContext("2d")!;
     this.canvas.width = Math.round(width * ratio);
     this.canvas.height = Math.round(kHigh * ratio);
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const x = (time: number) => (time / this.view.end) * width, axis = kHigh - 15;
+    const x = (time: number) => (time / this.view.end) * width,
+      axis = kHigh - 15;
     c.fillStyle = colours.grid;
     c.fillRect(0, axis - 1, width, 1.5);
     c.fillStyle = colours.belief;
@@ -115,11 +156,14 @@ export class Timeline {
     for (let t = 0; t <= this.view.end; t += step) {
       const at = x(t);
       c.fillRect(at, axis - 4, 1, 5);
-      const text = clock(t), wide = c.measureText(text).width;
+      const text = clock(t),
+        wide = c.measureText(text).width;
       c.fillText(text, Math.max(1, Math.min(width - wide - 1, at - wide / 2)), kHigh - 2);
     }
     for (const event of this.view.events) {
-      const { row, shape } = look(event.kind), at = x(event.time_s), y = 6 + row * 11;
+      const { row, shape } = look(event.kind),
+        at = x(event.time_s),
+        y = 6 + row * 11;
       c.fillStyle = shape === "triangle" ? colours.warning : shape === "square" ? colours.zone : colours.belief;
       c.beginPath();
       if (shape === "triangle") {

@@ -3,7 +3,9 @@
 import type { Settings } from "./settings";
 import { T } from "./texts";
 
-const kFoot = 0.3048, kKnot = 1852 / 3600, kMile = 1852;
+const kFoot = 0.3048,
+  kKnot = 1852 / 3600,
+  kMile = 1852;
 
 export class Units {
   constructor(private readonly settings: Settings) {}
@@ -50,7 +52,8 @@ export class Units {
   bar(metres: number): { metres: number; text: string } {
     const unit = !this.aviation ? (metres >= 1000 ? 1000 : 1) : metres >= kMile ? kMile : kFoot;
     const name = !this.aviation ? (unit === 1 ? "m" : "km") : unit === kMile ? "NM" : "ft";
-    const value = metres / unit, power = Math.pow(10, Math.floor(Math.log10(value)));
+    const value = metres / unit,
+      power = Math.pow(10, Math.floor(Math.log10(value)));
     const round = [5, 2, 1].find((k) => k * power <= value)! * power;
     return { metres: round * unit, text: `${round} ${name}` };
   }

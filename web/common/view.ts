@@ -25,7 +25,11 @@ export abstract class RunView {
   private readonly kinds = new Map<string, { hovers: boolean; radius: number }>();
   private readonly timer: number;
 
-  constructor(readonly run: RunDescription, readonly terrain: Terrain | null, readonly world: World) {
+  constructor(
+    readonly run: RunDescription,
+    readonly terrain: Terrain | null,
+    readonly world: World,
+  ) {
     for (const { name, kind, hovers, safety_radius_m } of run.aircraft)
       this.kinds.set(name, { hovers: hovers ?? /copter|quad|hexa|rotor|multi/i.test(kind), radius: safety_radius_m ?? 0 });
     this.map = new MapView(run, this.world, terrain, this.settings);
@@ -88,9 +92,12 @@ export abstract class RunView {
   }
 
   private dressRow(fleet: Fleet, row: number): void {
-    const id = fleet.ids[row], kind = this.kinds.get(this.world.name(id)), reality = this.reality(id), at = row * kMotion;
+    const id = fleet.ids[row],
+      kind = this.kinds.get(this.world.name(id)),
+      reality = this.reality(id),
+      at = row * kMotion;
     fleet.motion[at + kIcon] = (reality === "real" ? 8 : reality === "outside simulator" ? 4 : 0) + (kind?.hovers ? 1 : 0);
-    fleet.motion[at + kRadius] = fleet === this.world.fleet ? kind?.radius ?? 0 : 0;
+    fleet.motion[at + kRadius] = fleet === this.world.fleet ? (kind?.radius ?? 0) : 0;
   }
 
   /** Real: a body in the physical world; outside simulator: it perceives both worlds, its body is not real. */
@@ -103,14 +110,17 @@ export abstract class RunView {
 
   /** What an aircraft does, in a few words. */
   doing(row: number): string {
-    const { fleet, tasks, flown } = this.world, failsafe = fleet.word(row, "failsafe"), reaction = fleet.word(row, "reaction");
+    const { fleet, tasks, flown } = this.world,
+      failsafe = fleet.word(row, "failsafe"),
+      reaction = fleet.word(row, "reaction");
     if (failsafe && failsafe !== "none") {
       const does = T.task.reactions[reaction];
       return `${T.task.failsafes[failsafe] ?? failsafe}${does ? `, ${does}` : ""}`;
     }
     const mode = fleet.word(row, "mode");
     if (mode === "manual" || mode === "stabilized") return mode;
-    const id = fleet.ids[row], task = tasks.get(id);
+    const id = fleet.ids[row],
+      task = tasks.get(id);
     // Members of a team that leads itself have their tasks from there.
     if (!task) return T.task.verbs[flown.get(id) ?? ""] ?? T.task.none;
     return T.task.verbs[task.what.kind] ?? task.what.kind;
@@ -127,7 +137,9 @@ export abstract class RunView {
 
   /** Seconds since an aircraft was heard of. */
   silence(row: number): number {
-    const { fleet } = this.world, heard = fleet.get(row, "heard_s"), age = fleet.get(row, "age_s") || 0;
+    const { fleet } = this.world,
+      heard = fleet.get(row, "heard_s"),
+      age = fleet.get(row, "age_s") || 0;
     return Number.isFinite(heard) ? Math.max(age, fleet.time - heard) : age;
   }
 

@@ -65,12 +65,14 @@ export class Reader {
   /** A 64-bit count of nanoseconds, in seconds: exact to the nanosecond for a century of runs. */
   time(): number {
     const from = this.take(8);
-    const low = this.view.getUint32(from, true), high = this.view.getInt32(from + 4, true);
+    const low = this.view.getUint32(from, true),
+      high = this.view.getInt32(from + 4, true);
     const ns = high * 4294967296 + low;
     return Number.isSafeInteger(ns) ? ns / 1e9 : ns < 0 ? -Infinity : Infinity;
   }
   uint(): number {
-    let value = 0, scale = 1;
+    let value = 0,
+      scale = 1;
     for (let k = 0; k < 10; ++k) {
       const octet = this.bytes[this.take(1)];
       value += (octet & 0x7f) * scale;
@@ -85,7 +87,8 @@ export class Reader {
   }
   private static readonly utf8 = new TextDecoder();
   text(): string {
-    const count = this.uint(), from = this.take(count);
+    const count = this.uint(),
+      from = this.take(count);
     return Reader.utf8.decode(this.bytes.subarray(from, from + count));
   }
   skip(count: number): void {
@@ -151,7 +154,10 @@ export class Decoder {
     r.open(message);
     if (r.octet() !== this.table.version) throw new RangeError("the server speaks another version");
     for (let left = r.uint(); left > 0; --left) {
-      const number = r.uint(), length = r.uint(), end = r.at + length, outer = r.end;
+      const number = r.uint(),
+        length = r.uint(),
+        end = r.at + length,
+        outer = r.end;
       if (end > outer) throw new RangeError("it ends too early");
       const known = this.items[number];
       if (known) {
@@ -199,22 +205,35 @@ export class Decoder {
     }
     if (type[0] === "|") return this.choice(type.slice(1));
     switch (type) {
-      case "flag": return (r) => r.octet() === 1;
-      case "u8": return (r) => r.octet();
-      case "f32": return (r) => finite(r.f32());
-      case "f64": return (r) => finite(r.f64());
-      case "time": return (r) => r.time();
-      case "uint": return (r) => r.uint();
-      case "int": return (r) => r.int();
-      case "text": return (r) => r.text();
-      case "vec2": return (r) => [finite(r.f64()), finite(r.f64())];
-      case "vec3": return (r) => [finite(r.f64()), finite(r.f64()), finite(r.f64())];
-      default: throw new Error(`the wire table has an unknown type: ${type}`);
+      case "flag":
+        return (r) => r.octet() === 1;
+      case "u8":
+        return (r) => r.octet();
+      case "f32":
+        return (r) => finite(r.f32());
+      case "f64":
+        return (r) => finite(r.f64());
+      case "time":
+        return (r) => r.time();
+      case "uint":
+        return (r) => r.uint();
+      case "int":
+        return (r) => r.int();
+      case "text":
+        return (r) => r.text();
+      case "vec2":
+        return (r) => [finite(r.f64()), finite(r.f64())];
+      case "vec3":
+        return (r) => [finite(r.f64()), finite(r.f64()), finite(r.f64())];
+      default:
+        throw new Error(`the wire table has an unknown type: ${type}`);
     }
   }
 
   private struct(name: string, r: Reader, object: Record<string, Value>): Record<string, Value> {
-    const length = r.uint(), outer = r.end, end = r.at + length;
+    const length = r.uint(),
+      outer = r.end,
+      end = r.at + length;
     if (end > outer) throw new RangeError("it ends too early");
     r.end = end;
     for (const put of this.fields(name)) {
@@ -250,13 +269,17 @@ export class Decoder {
       };
     }
     if (wrap === "[n]") {
-      const puts = Array.from({ length: count }, (_, k) =>
-        this.put([joined(own, String(k + 1)), inner, suffix, factor, axes, third], prefix));
-      return (r, object) => { for (const put of puts) put(r, object); };
+      const puts = Array.from({ length: count }, (_, k) => this.put([joined(own, String(k + 1)), inner, suffix, factor, axes, third], prefix));
+      return (r, object) => {
+        for (const put of puts) put(r, object);
+      };
     }
     if (wrap === "[]") {
-      const read = this.one(type), key = name + suffix;
-      return (r, object) => { object[key] = read(r); };
+      const read = this.one(type),
+        key = name + suffix;
+      return (r, object) => {
+        object[key] = read(r);
+      };
     }
     if (type === "vec2" || type === "vec3") {
       const names = axes.split(" ").map((axis) => joined(name, axis) + suffix);
@@ -276,7 +299,9 @@ export class Decoder {
     }
     if (type === "time") {
       const key = joined(name, "s");
-      return (r, object) => { object[key] = r.time(); };
+      return (r, object) => {
+        object[key] = r.time();
+      };
     }
     if (type[0] === "@") {
       const struct = type.slice(1);
@@ -284,17 +309,29 @@ export class Decoder {
     }
     if (type[0] === "|") {
       const read = this.choice(type.slice(1));
-      if (!name) return (r, object) => { Object.assign(object, read(r)); };
-      return (r, object) => { object[name] = read(r); };
+      if (!name)
+        return (r, object) => {
+          Object.assign(object, read(r));
+        };
+      return (r, object) => {
+        object[name] = read(r);
+      };
     }
     const key = name + suffix;
-    if (type === "f64") return (r, object) => { object[key] = finite(r.f64() * factor); };
+    if (type === "f64")
+      return (r, object) => {
+        object[key] = finite(r.f64() * factor);
+      };
     const read = this.one(type);
-    return (r, object) => { object[key] = read(r); };
+    return (r, object) => {
+      object[key] = read(r);
+    };
   }
 
   private nested(struct: string, prefix: string, r: Reader, object: Record<string, Value>): void {
-    const length = r.uint(), outer = r.end, end = r.at + length;
+    const length = r.uint(),
+      outer = r.end,
+      end = r.at + length;
     if (end > outer) throw new RangeError("it ends too early");
     r.end = end;
     for (const put of this.fields(struct, prefix)) {
@@ -308,7 +345,10 @@ export class Decoder {
   private choice(name: string): Read {
     const reads = this.table.choices[name].map(([kind, type]) => this.alternative(kind, type));
     return (r) => {
-      const number = r.uint(), length = r.uint(), end = r.at + length, outer = r.end;
+      const number = r.uint(),
+        length = r.uint(),
+        end = r.at + length,
+        outer = r.end;
       if (end > outer) throw new RangeError("it ends too early");
       r.end = end;
       const value = reads[number] ? reads[number](r) : { kind: "" };
@@ -338,18 +378,21 @@ export class Decoder {
     const reads: ((r: Reader, out: Float64Array, at: number) => void)[] = [];
     const add = (name: string, read: (r: Reader) => number) => {
       const column = names.push(name) - 1;
-      reads.push((r, out, at) => { out[at + column] = read(r); });
+      reads.push((r, out, at) => {
+        out[at + column] = read(r);
+      });
     };
     for (const [own, type, suffix = "", factor = 1, axes = "", third = 1] of this.table.structs[struct] ?? []) {
-      const optional = type.endsWith("?"), base = optional ? type.slice(0, -1) : type;
+      const optional = type.endsWith("?"),
+        base = optional ? type.slice(0, -1) : type;
       const name = base === "time" ? joined(own, "s") : own + suffix;
       if (base === "vec2" || base === "vec3") {
-        const first = names.length, n = base === "vec3" ? 3 : 2;
+        const first = names.length,
+          n = base === "vec3" ? 3 : 2;
         for (let k = 0; k < n; ++k) names.push(joined(own, axes.split(" ")[k]) + suffix);
         reads.push((r, out, at) => {
           const there = !optional || r.octet() === 1;
-          for (let k = 0; k < n; ++k)
-            out[at + first + k] = there ? r.f64() * factor * (k === 2 ? third : 1) : NaN;
+          for (let k = 0; k < n; ++k) out[at + first + k] = there ? r.f64() * factor * (k === 2 ? third : 1) : NaN;
         });
         continue;
       }
@@ -358,9 +401,13 @@ export class Decoder {
       add(name, optional ? (r) => (r.octet() === 1 ? scalar(r) : NaN) : scalar);
     }
     return {
-      names, words, width: names.length,
+      names,
+      words,
+      width: names.length,
       read: (r, out, at) => {
-        const length = r.uint(), outer = r.end, end = r.at + length;
+        const length = r.uint(),
+          outer = r.end,
+          end = r.at + length;
         if (end > outer) throw new RangeError("it ends too early");
         r.end = end;
         out.fill(NaN, at, at + names.length);
@@ -377,12 +424,18 @@ export class Decoder {
   private scalar(type: string, factor: number): (r: Reader) => number {
     if (type[0] === "#" || type === "flag" || type === "u8") return (r) => r.octet();
     switch (type) {
-      case "f32": return (r) => r.f32() * factor;
-      case "f64": return (r) => r.f64() * factor;
-      case "time": return (r) => r.time();
-      case "uint": return (r) => r.uint();
-      case "int": return (r) => r.int();
-      default: throw new Error(`a ${type} is no column of numbers`);
+      case "f32":
+        return (r) => r.f32() * factor;
+      case "f64":
+        return (r) => r.f64() * factor;
+      case "time":
+        return (r) => r.time();
+      case "uint":
+        return (r) => r.uint();
+      case "int":
+        return (r) => r.int();
+      default:
+        throw new Error(`a ${type} is no column of numbers`);
     }
   }
 }

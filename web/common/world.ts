@@ -1,19 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 /** All that is known of the run, built from the items of the feed. */
-import type { AirTraffic, Alert, Arrival, Conflict, Crossing, Entity, Event, Footprint, Forecast, GroundObject, ObjectBelief,
-  ObjectMotion, Perimeter, Planner, RadioLink, Reading, RecommendationChange, TeamAllocation, TeamLead, TeamTaskChange, TrafficMotion, TrafficTrack,
-  ZoneRecord, Detection } from "./records";
+import type {
+  AirTraffic,
+  Alert,
+  Arrival,
+  Conflict,
+  Crossing,
+  Entity,
+  Event,
+  Footprint,
+  Forecast,
+  GroundObject,
+  ObjectBelief,
+  ObjectMotion,
+  Perimeter,
+  Planner,
+  RadioLink,
+  Reading,
+  RecommendationChange,
+  TeamAllocation,
+  TeamLead,
+  TeamTaskChange,
+  TrafficMotion,
+  TrafficTrack,
+  ZoneRecord,
+  Detection,
+} from "./records";
 import { Fleet, PlayTime, type ShownTime } from "./fleet";
 import type { Frame } from "./frames";
 import type { Clients, CommandReply, FlightPath, MetricSample, MissionState, OrderMessage, RunClock, TaskOrder, TaskPreview, TaskReason } from "./protocol";
 import type { Decoder, Table } from "./wire";
 
 /** What may change; panels compare the counts with those that they have shown. */
-export type Topic = "clock" | "entities" | "fire" | "forecast" | "arrival" | "zones" | "missions" | "events" | "metrics" | "links" |
-  "clients" | "tasks" | "objects" | "traffic" | "alerts" | "allocations" | "planners" | "snapshot" | "tracks" |
-  "paths";
+export type Topic =
+  | "clock"
+  | "entities"
+  | "fire"
+  | "forecast"
+  | "arrival"
+  | "zones"
+  | "missions"
+  | "events"
+  | "metrics"
+  | "links"
+  | "clients"
+  | "tasks"
+  | "objects"
+  | "traffic"
+  | "alerts"
+  | "allocations"
+  | "planners"
+  | "snapshot"
+  | "tracks"
+  | "paths";
 
-const kEventsKept = 5000, kReadingsKept = 1500, kCrossingsKept = 600, kMetricsKept = 8000;
+const kEventsKept = 5000,
+  kReadingsKept = 1500,
+  kCrossingsKept = 600,
+  kMetricsKept = 8000;
 
 /** A metric of a mission over time. */
 export interface Series {
@@ -42,7 +86,7 @@ export interface KeptEvent extends Event {
 function commandText(command: Record<string, unknown>): string {
   const what = command.what as { kind?: string } | undefined;
   const words = ["action", "aircraft", "name", "mission", "part", "to", "factor", "steps", "number"].map((key) => command[key]);
-  return [command.kind, ...words, what?.kind].filter((word) => typeof word === "string" ? word !== "" : typeof word === "number").join(" ");
+  return [command.kind, ...words, what?.kind].filter((word) => (typeof word === "string" ? word !== "" : typeof word === "number")).join(" ");
 }
 
 export class World {
@@ -96,12 +140,37 @@ export class World {
   readonly gap: number;
 
   /** @param recorded  of a recording: its clock is exact */
-  constructor(readonly frame: Frame, decoder: Decoder, table: Table, private readonly recorded?: { play: ShownTime; gap: number }) {
+  constructor(
+    readonly frame: Frame,
+    decoder: Decoder,
+    table: Table,
+    private readonly recorded?: { play: ShownTime; gap: number },
+  ) {
     this.follower = recorded ? null : new PlayTime();
     this.play = recorded?.play ?? this.follower!;
     this.gap = recorded?.gap ?? 0;
-    for (const topic of ["clock", "entities", "fire", "forecast", "arrival", "zones", "missions", "events", "metrics", "links",
-      "clients", "tasks", "objects", "traffic", "alerts", "allocations", "planners", "snapshot", "tracks", "paths"] as Topic[])
+    for (const topic of [
+      "clock",
+      "entities",
+      "fire",
+      "forecast",
+      "arrival",
+      "zones",
+      "missions",
+      "events",
+      "metrics",
+      "links",
+      "clients",
+      "tasks",
+      "objects",
+      "traffic",
+      "alerts",
+      "allocations",
+      "planners",
+      "snapshot",
+      "tracks",
+      "paths",
+    ] as Topic[])
       this.version[topic] = 0;
     this.fleet = new Fleet(decoder, "fleet_frame", "FleetFrame", table, frame);
     this.truth = new Fleet(decoder, "truth_frame", "TruthFrame", table, frame, false);
@@ -128,9 +197,34 @@ export class World {
   private clear(): void {
     this.fleet.clear();
     this.truth.clear();
-    for (const map of [this.entities, this.perimeters, this.forecasts, this.arrivals, this.zones, this.objects, this.objectMotions,
-      this.objectBeliefs, this.missions, this.metrics, this.tasks, this.paths, this.reasons, this.planners, this.flown, this.footprints,
-      this.allocations, this.leads, this.teamTasks, this.alerts, this.recommendations, this.links, this.traffic, this.trafficMotions, this.trafficTracks, this.ids])
+    for (const map of [
+      this.entities,
+      this.perimeters,
+      this.forecasts,
+      this.arrivals,
+      this.zones,
+      this.objects,
+      this.objectMotions,
+      this.objectBeliefs,
+      this.missions,
+      this.metrics,
+      this.tasks,
+      this.paths,
+      this.reasons,
+      this.planners,
+      this.flown,
+      this.footprints,
+      this.allocations,
+      this.leads,
+      this.teamTasks,
+      this.alerts,
+      this.recommendations,
+      this.links,
+      this.traffic,
+      this.trafficMotions,
+      this.trafficTracks,
+      this.ids,
+    ])
       (map as Map<unknown, unknown>).clear();
     this.found.clear();
     for (const list of [this.events, this.crossings, this.readings, this.detections, this.conflicts]) list.length = 0;
@@ -157,7 +251,10 @@ export class World {
       this.complete = !begins;
       this.touch("snapshot");
     },
-    clients: (clients: Clients) => { this.clients = clients; this.touch("clients"); },
+    clients: (clients: Clients) => {
+      this.clients = clients;
+      this.touch("clients");
+    },
     command_reply: (reply: CommandReply) => this.onReply(reply),
     task_preview: (preview: TaskPreview) => this.onPreview(preview),
     metric_sample: (sample: MetricSample) => this.addMetric(sample),
@@ -182,19 +279,40 @@ export class World {
       this.found.add(detection.object_id);
       this.keep(this.detections, detection, kCrossingsKept, "objects");
     },
-    perimeter: (perimeter: Perimeter) => { this.perimeters.set(perimeter.mission, perimeter); this.touch("fire"); },
+    perimeter: (perimeter: Perimeter) => {
+      this.perimeters.set(perimeter.mission, perimeter);
+      this.touch("fire");
+    },
     forecast: (forecast: Forecast) => this.addForecast(forecast),
-    arrival: (arrival: Arrival) => { this.arrivals.set(arrival.place, arrival); this.touch("arrival"); },
+    arrival: (arrival: Arrival) => {
+      this.arrivals.set(arrival.place, arrival);
+      this.touch("arrival");
+    },
     zone: (zone: ZoneRecord) => {
       if (zone.in_force) this.zones.set(zone.name, zone);
       else this.zones.delete(zone.name);
       this.touch("zones");
     },
-    object: (object: GroundObject) => { this.objects.set(object.object_id, object); this.touch("objects"); },
-    object_motion: (motion: ObjectMotion) => { this.objectMotions.set(motion.object_id, motion); this.touch("objects"); },
-    object_belief: (belief: ObjectBelief) => { this.objectBeliefs.set(belief.object_id, belief); this.touch("objects"); },
-    mission: (mission: MissionState) => { this.missions.set(mission.mission, mission); this.touch("missions"); },
-    team_lead: (lead: TeamLead) => { this.leads.set(lead.entity_id, lead); this.touch("allocations"); },
+    object: (object: GroundObject) => {
+      this.objects.set(object.object_id, object);
+      this.touch("objects");
+    },
+    object_motion: (motion: ObjectMotion) => {
+      this.objectMotions.set(motion.object_id, motion);
+      this.touch("objects");
+    },
+    object_belief: (belief: ObjectBelief) => {
+      this.objectBeliefs.set(belief.object_id, belief);
+      this.touch("objects");
+    },
+    mission: (mission: MissionState) => {
+      this.missions.set(mission.mission, mission);
+      this.touch("missions");
+    },
+    team_lead: (lead: TeamLead) => {
+      this.leads.set(lead.entity_id, lead);
+      this.touch("allocations");
+    },
     team_allocation: (each: TeamAllocation) => {
       this.allocations.set(`${each.team} ${each.proposer_id} ${each.number}`, each);
       this.touch("allocations");
@@ -219,17 +337,35 @@ export class World {
     },
     radio_link: (link: RadioLink) => this.addLink(link),
     conflict: (conflict: Conflict) => this.keep(this.conflicts, conflict, 500, "alerts"),
-    traffic: (traffic: AirTraffic) => { this.traffic.set(traffic.traffic_id, traffic); this.touch("traffic"); },
-    traffic_motion: (motion: TrafficMotion) => { this.trafficMotions.set(motion.traffic_id, motion); this.touch("traffic"); },
-    traffic_track: (track: TrafficTrack) => { this.trafficTracks.set(`${track.believer_id} ${track.track}`, track); this.touch("traffic"); },
-    flight_path: (path: FlightPath) => { this.paths.set(path.entity_id, path); this.touch("paths"); },
-    task_reason: (reason: TaskReason) => { this.reasons.set(reason.aircraft_id, reason); this.touch("tasks"); },
+    traffic: (traffic: AirTraffic) => {
+      this.traffic.set(traffic.traffic_id, traffic);
+      this.touch("traffic");
+    },
+    traffic_motion: (motion: TrafficMotion) => {
+      this.trafficMotions.set(motion.traffic_id, motion);
+      this.touch("traffic");
+    },
+    traffic_track: (track: TrafficTrack) => {
+      this.trafficTracks.set(`${track.believer_id} ${track.track}`, track);
+      this.touch("traffic");
+    },
+    flight_path: (path: FlightPath) => {
+      this.paths.set(path.entity_id, path);
+      this.touch("paths");
+    },
+    task_reason: (reason: TaskReason) => {
+      this.reasons.set(reason.aircraft_id, reason);
+      this.touch("tasks");
+    },
     planner: (planner: Planner) => {
       this.planners.set(planner.entity_id, planner);
       if (planner.link === "task") this.flown.set(planner.entity_id, planner.reason);
       this.touch("planners");
     },
-    footprint: (footprint: Footprint) => { this.footprints.set(footprint.entity_id, footprint); this.touch("tracks"); },
+    footprint: (footprint: Footprint) => {
+      this.footprints.set(footprint.entity_id, footprint);
+      this.touch("tracks");
+    },
   };
 
   private keep<T>(list: T[], value: T, most: number, topic: Topic): void {
@@ -260,7 +396,8 @@ export class World {
       series.value.push(value);
       if (series.time.length > kMetricsKept) {
         // Every second of the older half goes: the whole run stays in the picture.
-        const half = kMetricsKept / 2, keepEach = (_: unknown, i: number) => i >= half || i % 2 === 0;
+        const half = kMetricsKept / 2,
+          keepEach = (_: unknown, i: number) => i >= half || i % 2 === 0;
         series.time = series.time.filter(keepEach);
         series.value = series.value.filter(keepEach);
       }
@@ -277,8 +414,10 @@ export class World {
   }
 
   private addLink(record: RadioLink): void {
-    const key = `${record.from_id} ${record.to_id}`, all = record.arrived + record.lost;
-    const now = all > 0 ? record.arrived / all : null, known = this.links.get(key);
+    const key = `${record.from_id} ${record.to_id}`,
+      all = record.arrived + record.lost;
+    const now = all > 0 ? record.arrived / all : null,
+      known = this.links.get(key);
     if (known) {
       known.last = record;
       if (now !== null) known.quality = known.quality === null ? now : known.quality + 0.3 * (now - known.quality);

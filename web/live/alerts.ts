@@ -24,7 +24,11 @@ const kLate = 5; // the clock is late for so long before it is told [s]
 const kMostShown = 3;
 
 /** Tones [Hz] and how often they are repeated, by priority. */
-const kTones: { tones: number[]; times: number }[] = [{ tones: [880, 660], times: 3 }, { tones: [660], times: 2 }, { tones: [520], times: 1 }];
+const kTones: { tones: number[]; times: number }[] = [
+  { tones: [880, 660], times: 3 },
+  { tones: [660], times: 2 },
+  { tones: [520], times: 1 },
+];
 
 class Voice {
   private audio: AudioContext | null = null;
@@ -34,10 +38,13 @@ class Voice {
       // Browsers let nothing sound before the user has touched the page.
       if (navigator.userActivation && !navigator.userActivation.hasBeenActive) return;
       this.audio ??= new AudioContext();
-      const { tones, times } = kTones[priority], start = this.audio.currentTime + 0.02;
+      const { tones, times } = kTones[priority],
+        start = this.audio.currentTime + 0.02;
       for (let k = 0; k < times; ++k)
         tones.forEach((frequency, j) => {
-          const at = start + 0.4 * k + 0.16 * j, o = this.audio!.createOscillator(), gain = this.audio!.createGain();
+          const at = start + 0.4 * k + 0.16 * j,
+            o = this.audio!.createOscillator(),
+            gain = this.audio!.createGain();
           o.frequency.value = frequency;
           gain.gain.setValueAtTime(0, at);
           gain.gain.linearRampToValueAtTime(0.2, at + 0.02);
@@ -79,7 +86,9 @@ export class Alerts {
   }
 
   private collect(wall: number): Alert[] {
-    const { app } = this, { world, units } = app, { fleet } = world;
+    const { app } = this,
+      { world, units } = app,
+      { fleet } = world;
     const out: Alert[] = [...this.refusals];
     const add = (priority: Priority, key: string, text: string, go?: () => void) => out.push({ key, priority, text, since: wall, go });
     if (app.connection.state === "lost") add(0, "connection", T.alerts.lost);
@@ -89,15 +98,23 @@ export class Alerts {
     for (const alert of world.alerts.values()) {
       const priority: Priority = alert.region === "NEAR" ? 0 : alert.region === "MID" || alert.region === "RECOVERY" ? 1 : 2;
       const side = alert.bearing_deg == null ? "" : T.alerts.side(Math.round(Math.abs(alert.bearing_deg)), alert.bearing_deg < 0);
-      add(priority, `traffic ${alert.entity_id} ${alert.track} ${alert.region}`,
-        T.alerts.traffic(world.name(alert.entity_id), T.alertRegion[alert.region] ?? "", units.distance(alert.distance_m), side), () => this.show(alert.entity_id));
+      add(
+        priority,
+        `traffic ${alert.entity_id} ${alert.track} ${alert.region}`,
+        T.alerts.traffic(world.name(alert.entity_id), T.alertRegion[alert.region] ?? "", units.distance(alert.distance_m), side),
+        () => this.show(alert.entity_id),
+      );
     }
     for (let row = 0; row < fleet.count; ++row) {
       const id = fleet.ids[row];
       if (fleet.get(row, "failsafe") > 0) {
         const failsafe = fleet.word(row, "failsafe");
-        add(failsafe === "motor" || failsafe === "imu" ? 0 : 1, `failsafe ${id} ${failsafe}`,
-          T.alerts.failsafe(world.name(id), T.task.failsafes[failsafe] ?? failsafe, T.task.reactions[fleet.word(row, "reaction")] ?? ""), () => this.show(id));
+        add(
+          failsafe === "motor" || failsafe === "imu" ? 0 : 1,
+          `failsafe ${id} ${failsafe}`,
+          T.alerts.failsafe(world.name(id), T.task.failsafes[failsafe] ?? failsafe, T.task.reactions[fleet.word(row, "reaction")] ?? ""),
+          () => this.show(id),
+        );
       } else if (fleet.get(row, "charge") < kLowBattery && fleet.get(row, "on_ground") !== 1) {
         add(2, `battery ${id}`, T.alerts.low(world.name(id), units.percent(fleet.get(row, "charge"))), () => this.show(id));
       }
@@ -114,7 +131,8 @@ export class Alerts {
   }
 
   private update(wall: number): void {
-    const all = this.collect(wall), keys = new Set(all.map(({ key }) => key));
+    const all = this.collect(wall),
+      keys = new Set(all.map(({ key }) => key));
     for (const key of [...this.acknowledged]) if (!keys.has(key)) this.acknowledged.delete(key); // over: the next one is new
     for (const key of [...this.known]) if (!keys.has(key)) this.known.delete(key);
     this.current = all.filter(({ key }) => !this.acknowledged.has(key)).sort((a, b) => a.priority - b.priority);
@@ -125,7 +143,11 @@ export class Alerts {
       if (loudest === null || alert.priority < loudest) loudest = alert.priority;
     }
     if (loudest !== null && this.app.settings.sound && this.app.world.complete) this.voice.play(loudest);
-    const key = this.current.slice(0, kMostShown).map(({ key: each, text }) => each + text).join("|") + this.current.length;
+    const key =
+      this.current
+        .slice(0, kMostShown)
+        .map(({ key: each, text }) => each + text)
+        .join("|") + this.current.length;
     if (key === this.shown) return;
     if (loudest !== null) this.live.textContent = this.current[0]?.text ?? "";
     this.shown = key;
@@ -133,15 +155,37 @@ export class Alerts {
   }
 
   private draw(): void {
-    const shown = this.current.slice(0, kMostShown), rest = this.current.length - shown.length;
-    this.list.replaceChildren(...shown.map((alert) => {
-      const name = ["warning", "caution", "advisory"][alert.priority];
-      const text = h("button", { type: "button", class: "alert-text", disabled: !alert.go, onclick: () => alert.go?.() },
-        h("strong", {}, T.alerts.priorities[alert.priority]), ` ${alert.text}`);
-      const item = h("li", { class: `alert ${name}` });
-      item.append(icon("warning"), text, iconButton("check", T.alerts.ack, () => this.acknowledge(alert)));
-      return item;
-    }), ...(rest > 0 ? [h("li", { class: "alert-more" }, button(`${T.alerts.ackAll} (+${rest})`, () => { for (const alert of [...this.current]) this.acknowledge(alert); }))] : []));
+    const shown = this.current.slice(0, kMostShown),
+      rest = this.current.length - shown.length;
+    this.list.replaceChildren(
+      ...shown.map((alert) => {
+        const name = ["warning", "caution", "advisory"][alert.priority];
+        const text = h(
+          "button",
+          { type: "button", class: "alert-text", disabled: !alert.go, onclick: () => alert.go?.() },
+          h("strong", {}, T.alerts.priorities[alert.priority]),
+          ` ${alert.text}`,
+        );
+        const item = h("li", { class: `alert ${name}` });
+        item.append(
+          icon("warning"),
+          text,
+          iconButton("check", T.alerts.ack, () => this.acknowledge(alert)),
+        );
+        return item;
+      }),
+      ...(rest > 0
+        ? [
+            h(
+              "li",
+              { class: "alert-more" },
+              button(`${T.alerts.ackAll} (+${rest})`, () => {
+                for (const alert of [...this.current]) this.acknowledge(alert);
+              }),
+            ),
+          ]
+        : []),
+    );
   }
 
   private acknowledge(alert: Alert): void {

@@ -14,7 +14,8 @@ export interface Sent {
   settled?: (sent: Sent) => void; // told whenever its state changes
 }
 
-const kFirstWait = 0.5, kLongestWait = 10; // [s]
+const kFirstWait = 0.5,
+  kLongestWait = 10; // [s]
 const kProtocol = "skein.live.v1";
 
 export class Connection {
@@ -33,7 +34,11 @@ export class Connection {
   private lastNumber = 0;
   private timer = 0;
 
-  constructor(private readonly url: string, private readonly decoder: Decoder, private readonly visit: Visit) {}
+  constructor(
+    private readonly url: string,
+    private readonly decoder: Decoder,
+    private readonly visit: Visit,
+  ) {}
 
   open(): void {
     clearTimeout(this.timer);
@@ -69,7 +74,10 @@ export class Connection {
     this.wait = Math.min(kLongestWait, this.wait * 1.7);
     this.nextTry = performance.now() / 1000 + wait;
     this.timer = window.setTimeout(() => {
-      this.beforeOpen().then((there) => (there ? this.open() : this.again()), () => this.again());
+      this.beforeOpen().then(
+        (there) => (there ? this.open() : this.again()),
+        () => this.again(),
+      );
     }, 1000 * wait);
   }
 
@@ -79,8 +87,7 @@ export class Connection {
   }
 
   private loseSent(): void {
-    for (const each of this.sent)
-      if (each.state === "pending" || each.state === "given") this.settle(each, "lost", "");
+    for (const each of this.sent) if (each.state === "pending" || each.state === "given") this.settle(each, "lost", "");
   }
 
   private settle(each: Sent, state: Sent["state"], reason: string): void {

@@ -39,8 +39,14 @@ async function start(): Promise<void> {
     Object.assign(window, { skein: app }); // for tests, and for who looks into it
   } catch (problem) {
     document.documentElement.dataset.state = "failed";
-    root.replaceChildren(h("main", { class: "start" }, h("p", { class: "problem", role: "alert" }, T.start.failed(problem instanceof Error ? problem.message : String(problem))),
-      button(T.start.retry, () => void start(), { class: "primary" })));
+    root.replaceChildren(
+      h(
+        "main",
+        { class: "start" },
+        h("p", { class: "problem", role: "alert" }, T.start.failed(problem instanceof Error ? problem.message : String(problem))),
+        button(T.start.retry, () => void start(), { class: "primary" }),
+      ),
+    );
   }
 }
 

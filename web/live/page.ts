@@ -21,16 +21,27 @@ import { icon } from "../common/ui";
 
 export function build(app: App, root: HTMLElement): void {
   const fleet = new FleetPanel(app);
-  const panels: [string, Panel][] = [["fleet", fleet], ["fire", new FirePanel(app)], ["mission", new MissionPanel(app)], ["events", new EventsPanel(app)],
-    ["plots", new PlotsPanel(app)], ["links", new LinksPanel(app)], ["instructor", new InstructorPanel(app)]];
+  const panels: [string, Panel][] = [
+    ["fleet", fleet],
+    ["fire", new FirePanel(app)],
+    ["mission", new MissionPanel(app)],
+    ["events", new EventsPanel(app)],
+    ["plots", new PlotsPanel(app)],
+    ["links", new LinksPanel(app)],
+    ["instructor", new InstructorPanel(app)],
+  ];
   const dock = makeDock(app, panels);
-  const alerts = new Alerts(app), timeline = new Timeline(app), toasts = toast(app, alerts);
+  const alerts = new Alerts(app),
+    timeline = new Timeline(app),
+    toasts = toast(app, alerts);
   const dimension = () => app.map.set3d(!app.map.is3d);
   const showPanel = (name: string) => {
     root.classList.remove("wide");
     dock.show(name);
   };
-  const togglePanels = () => { root.classList.toggle("wide"); };
+  const togglePanels = () => {
+    root.classList.toggle("wide");
+  };
   app.showPanel = showPanel;
   const controls = mapControls(app);
   const stage = h("main", { class: "stage" }, app.map.element, controls.element, alerts.element, mapFoot(app), app.tools.hint, toasts);
@@ -38,21 +49,47 @@ export function build(app: App, root: HTMLElement): void {
   root.replaceChildren(topBar(app, { dimension, help: showKeys, panels: togglePanels }), stage, dock.element, timeline.element);
   contextMenu(app, stage, (place) => {
     const names = [...app.map.selected].map((id) => app.world.name(id));
-    const giveAll = (kind: string) => () => { for (const name of names) app.giveTask(name, { kind, ...place } as never); };
-    return app.mayCommand && names.length > 0 ? [[T.map.flyHere(names.join(", ")), giveAll("fly_to")], [T.map.orbitHere(names.join(", ")), giveAll("loiter")]] : [];
+    const giveAll = (kind: string) => () => {
+      for (const name of names) app.giveTask(name, { kind, ...place } as never);
+    };
+    return app.mayCommand && names.length > 0
+      ? [
+          [T.map.flyHere(names.join(", ")), giveAll("fly_to")],
+          [T.map.orbitHere(names.join(", ")), giveAll("loiter")],
+        ]
+      : [];
   });
-  listenToKeys({
-    " ": () => app.pause(!app.world.clock.paused), ".": () => app.step(1),
-    ...Object.fromEntries(panels.map(([name], k) => [String(k + 1), () => showPanel(name)])),
-    j: () => fleet.step(1), k: () => fleet.step(-1),
-    f: () => { app.map.follow = !app.map.follow && app.map.selected.size > 0; },
-    c: () => { for (const id of app.map.selected) return app.map.centreOn(id); },
-    Home: () => app.map.fit(), d: dimension, n: () => app.map.map.easeTo({ bearing: 0 }), l: () => controls.layers(), m: () => app.tools.measure(),
-    a: () => alerts.acknowledgeFirst(), b: togglePanels,
-    "/": () => { showPanel("fleet"); fleet.search.focus(); },
-    "?": showKeys, "Ctrl z": () => app.drawing.undo(), "Ctrl y": () => app.drawing.redo(),
-    Escape: () => (app.drawing.mode ? app.drawing.set(null) : app.map.select([])),
-  }, (event) => app.tools.key(event));
+  listenToKeys(
+    {
+      " ": () => app.pause(!app.world.clock.paused),
+      ".": () => app.step(1),
+      ...Object.fromEntries(panels.map(([name], k) => [String(k + 1), () => showPanel(name)])),
+      j: () => fleet.step(1),
+      k: () => fleet.step(-1),
+      f: () => {
+        app.map.follow = !app.map.follow && app.map.selected.size > 0;
+      },
+      c: () => {
+        for (const id of app.map.selected) return app.map.centreOn(id);
+      },
+      Home: () => app.map.fit(),
+      d: dimension,
+      n: () => app.map.map.easeTo({ bearing: 0 }),
+      l: () => controls.layers(),
+      m: () => app.tools.measure(),
+      a: () => alerts.acknowledgeFirst(),
+      b: togglePanels,
+      "/": () => {
+        showPanel("fleet");
+        fleet.search.focus();
+      },
+      "?": showKeys,
+      "Ctrl z": () => app.drawing.undo(),
+      "Ctrl y": () => app.drawing.redo(),
+      Escape: () => (app.drawing.mode ? app.drawing.set(null) : app.map.select([])),
+    },
+    (event) => app.tools.key(event),
+  );
   app.map.resize();
 }
 
@@ -83,13 +120,27 @@ function toast(app: App, alerts: Alerts): HTMLElement {
 
 function makeDock(app: App, panels: [string, Panel][]): { element: HTMLElement; show: (name: string) => void } {
   const tabs = panels.map(([name]) => {
-    const tab = h("button", { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `panel-${name}`, "aria-selected": "false", tabindex: -1,
-      title: T.tabTitles[name] ?? T.tabs[name], onclick: () => show(name) });
+    const tab = h("button", {
+      type: "button",
+      role: "tab",
+      id: `tab-${name}`,
+      "aria-controls": `panel-${name}`,
+      "aria-selected": "false",
+      tabindex: -1,
+      title: T.tabTitles[name] ?? T.tabs[name],
+      onclick: () => show(name),
+    });
     tab.append(icon(name), h("span", {}, T.tabs[name]));
     return tab;
   });
-  const bodies = panels.map(([name, panel]) => h("div", { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}`, class: "tab-panel", hidden: true },
-    h("h2", { class: "visually-hidden" }, T.tabTitles[name] ?? T.tabs[name]), panel.element));
+  const bodies = panels.map(([name, panel]) =>
+    h(
+      "div",
+      { role: "tabpanel", id: `panel-${name}`, "aria-labelledby": `tab-${name}`, class: "tab-panel", hidden: true },
+      h("h2", { class: "visually-hidden" }, T.tabTitles[name] ?? T.tabs[name]),
+      panel.element,
+    ),
+  );
   let current = -1;
   const show = (name: string, focus = false) => {
     const next = panels.findIndex(([each]) => each === name);
@@ -106,13 +157,23 @@ function makeDock(app: App, panels: [string, Panel][]): { element: HTMLElement; 
     panels[next][1].update(performance.now() / 1000);
     if (focus) tabs[next].focus();
   };
-  const list = h("div", { role: "tablist", "aria-label": T.dock, class: "tabs", onkeydown: (event) => {
-    const { key } = event as KeyboardEvent, step = key === "ArrowRight" ? 1 : key === "ArrowLeft" ? -1 : 0;
-    if (step === 0) return;
-    event.preventDefault();
-    event.stopPropagation();
-    show(panels[(current + step + panels.length) % panels.length][0], true);
-  } }, ...tabs);
+  const list = h(
+    "div",
+    {
+      role: "tablist",
+      "aria-label": T.dock,
+      class: "tabs",
+      onkeydown: (event) => {
+        const { key } = event as KeyboardEvent,
+          step = key === "ArrowRight" ? 1 : key === "ArrowLeft" ? -1 : 0;
+        if (step === 0) return;
+        event.preventDefault();
+        event.stopPropagation();
+        show(panels[(current + step + panels.length) % panels.length][0], true);
+      },
+    },
+    ...tabs,
+  );
   app.every((wall) => panels[current]?.[1].update(wall));
   app.map.onSelect = () => panels[current]?.[1].update(performance.now() / 1000);
   const element = h("aside", { class: "dock", "aria-label": T.dock }, list, ...bodies);

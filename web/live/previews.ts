@@ -24,14 +24,17 @@ export class Previews {
   ask(aircraft: string[], what: Partial<What> & { kind: string }, others: string[]): void {
     this.shown.clear();
     for (const name of aircraft) {
-      const sent = this.app.connection.send({ preview: { kind: "task", aircraft: name, what, ...(others.length > 0 ? { others } : {}) } },
-        T.commands.preview(name, T.task.names[what.kind] ?? what.kind), (settled) => {
+      const sent = this.app.connection.send(
+        { preview: { kind: "task", aircraft: name, what, ...(others.length > 0 ? { others } : {}) } },
+        T.commands.preview(name, T.task.names[what.kind] ?? what.kind),
+        (settled) => {
           const asked = this.shown.get(settled.number);
           if (!asked || asked.state === "known" || (settled.state !== "refused" && settled.state !== "lost")) return;
           asked.state = "refused";
           asked.text = `${name}: ${settled.reason || T.events.states.lost}`;
           this.changed();
-        });
+        },
+      );
       this.shown.set(sent.number, { aircraft: name, state: "asked", text: T.task.previewAsked(name), path: [] });
     }
     this.changed();
@@ -49,7 +52,8 @@ export class Previews {
     const { units } = this.app;
     asked.path = preview.points;
     asked.state = preview.problem ? "refused" : "known";
-    asked.text = preview.problem ? `${asked.aircraft}: ${preview.problem}`
+    asked.text = preview.problem
+      ? `${asked.aircraft}: ${preview.problem}`
       : T.task.previewed(asked.aircraft, preview.done, clock(preview.duration_s ?? 0), units.distance(preview.length_m)) +
         // Simple models have no battery.
         (preview.charge ? T.task.previewedBattery(units.percent(preview.charge), units.percent(preview.charge_left)) : "");

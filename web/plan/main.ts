@@ -17,10 +17,7 @@ joinTable();
 function start(map: SVGSVGElement): void {
   const layer = map.querySelector<SVGGElement>("#layer")!;
   const grid = map.querySelector<SVGGElement>("#grid")!;
-  const fixed = Array.from(layer.querySelectorAll<SVGGElement>("g.fixed")).map((group) => ({
-    group,
-    at: group.getAttribute("transform") ?? "",
-  }));
+  const fixed = Array.from(layer.querySelectorAll<SVGGElement>("g.fixed")).map((group) => ({ group, at: group.getAttribute("transform") ?? "" }));
   const width = map.viewBox.baseVal.width;
   const height = map.viewBox.baseVal.height;
   const view: View = { scale: 1, x: 0, y: 0 };
@@ -33,8 +30,7 @@ function start(map: SVGSVGElement): void {
     layer.setAttribute("transform", transform);
     grid.setAttribute("transform", transform);
     grid.classList.toggle("moved", view.scale !== 1 || view.x !== 0 || view.y !== 0);
-    for (const { group, at } of fixed)
-      group.setAttribute("transform", `${at} scale(${1 / view.scale})`);
+    for (const { group, at } of fixed) group.setAttribute("transform", `${at} scale(${1 / view.scale})`);
     drawScale(map, width, view.scale);
   };
   const zoom = (factor: number, x: number, y: number) => {
@@ -47,10 +43,7 @@ function start(map: SVGSVGElement): void {
   };
   const point = (event: MouseEvent) => {
     const box = map.getBoundingClientRect();
-    return {
-      x: ((event.clientX - box.left) * width) / box.width,
-      y: ((event.clientY - box.top) * height) / box.height,
-    };
+    return { x: ((event.clientX - box.left) * width) / box.width, y: ((event.clientY - box.top) * height) / box.height };
   };
 
   map.addEventListener(
@@ -104,8 +97,7 @@ function listenToPointers(
     view.y += now.y - before.y;
     draw();
   });
-  for (const name of ["pointerup", "pointercancel"] as const)
-    map.addEventListener(name, (event) => down.delete(event.pointerId));
+  for (const name of ["pointerup", "pointercancel"] as const) map.addEventListener(name, (event) => down.delete(event.pointerId));
 }
 
 function roundBelow(value: number): number {
@@ -130,15 +122,10 @@ function drawScale(map: SVGSVGElement, width: number, scale: number): void {
   half?.setAttribute("x", String(length / 2));
   half?.setAttribute("width", String(length / 2 - 1));
   words?.setAttribute("x", String(length + 8));
-  if (words)
-    words.textContent = metres < 1000 ? `${Number(metres.toPrecision(3))} m` : `${metres / 1000} km`;
+  if (words) words.textContent = metres < 1000 ? `${Number(metres.toPrecision(3))} m` : `${metres / 1000} km`;
 }
 
-function showPlace(
-  map: SVGSVGElement,
-  view: View,
-  point: (event: MouseEvent) => { x: number; y: number },
-): void {
+function showPlace(map: SVGSVGElement, view: View, point: (event: MouseEvent) => { x: number; y: number }): void {
   const place = document.querySelector<HTMLElement>("#place");
   if (!place) return;
   const perPixel = Number(map.dataset.metresPerPx);

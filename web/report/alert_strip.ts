@@ -24,24 +24,42 @@ export function alertStrip(run: RunData, alerts: Alerts, end: number, onPick: (t
     const marks = levels.flatMap(({ time, level, region }, i) => {
       if (level === 0) return [];
       const until = levels[i + 1]?.time ?? run.duration_s;
-      return [h("span", { class: `alert-mark ${kClasses[region ?? ""] ?? "preventive"}`,
-        style: `left:${percent(time)};width:${percent(until - time)}`,
-        title: `${names.get(id) ?? id}: alert ${level}, ${clock(time)} to ${clock(until)}` })];
+      return [
+        h("span", {
+          class: `alert-mark ${kClasses[region ?? ""] ?? "preventive"}`,
+          style: `left:${percent(time)};width:${percent(until - time)}`,
+          title: `${names.get(id) ?? id}: alert ${level}, ${clock(time)} to ${clock(until)}`,
+        }),
+      ];
     });
     const cursor = h("span", { class: "alert-cursor" });
     cursors.push(cursor);
-    const bar = h("div", { class: "alert-bar", onclick: (event) => {
-      const box = bar.getBoundingClientRect();
-      onPick((((event as MouseEvent).clientX - box.left) / Math.max(box.width, 1)) * end);
-    } }, ...marks, cursor);
+    const bar = h(
+      "div",
+      {
+        class: "alert-bar",
+        onclick: (event) => {
+          const box = bar.getBoundingClientRect();
+          onPick((((event as MouseEvent).clientX - box.left) / Math.max(box.width, 1)) * end);
+        },
+      },
+      ...marks,
+      cursor,
+    );
     return h("div", { class: "alert-row" }, h("span", { class: "alert-name" }, names.get(id) ?? `${id}`), bar);
   });
   const more = aircraft.length - rows.length;
   return {
-    element: h("div", { class: "alert-strip", role: "img",
-      "aria-label": `When alerts about other aircraft stood, for ${aircraft.length} aircraft` },
-      h("span", { class: "hint" }, "Alerts:"), ...rows,
-      more > 0 ? h("span", { class: "hint" }, `and ${more} more aircraft`) : null),
-    showTime: (time) => cursors.forEach((cursor) => { cursor.style.left = percent(time); }),
+    element: h(
+      "div",
+      { class: "alert-strip", role: "img", "aria-label": `When alerts about other aircraft stood, for ${aircraft.length} aircraft` },
+      h("span", { class: "hint" }, "Alerts:"),
+      ...rows,
+      more > 0 ? h("span", { class: "hint" }, `and ${more} more aircraft`) : null,
+    ),
+    showTime: (time) =>
+      cursors.forEach((cursor) => {
+        cursor.style.left = percent(time);
+      }),
   };
 }

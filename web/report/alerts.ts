@@ -10,7 +10,8 @@ const kBandsShown = 10; // rows are a second apart, in long runs more [s]
 
 /** The last of `list` that is not after `time`; -1: none. */
 function lastBefore(list: { length: number }, at: (i: number) => number, time: number): number {
-  let low = -1, high = list.length;
+  let low = -1,
+    high = list.length;
   while (high - low > 1) {
     const middle = (low + high) >> 1;
     if (at(middle) <= time + 1e-3) low = middle;
@@ -71,8 +72,7 @@ export class Alerts {
     return (this.byAircraft.get(aircraft) ?? []).map((alert) => {
       if (alert.level > 0) standing.set(alert.track, alert);
       else standing.delete(alert.track);
-      const highest = [...standing.values()].reduce<Alert | null>((best, each) =>
-        !best || each.level > best.level ? each : best, null);
+      const highest = [...standing.values()].reduce<Alert | null>((best, each) => (!best || each.level > best.level ? each : best), null);
       return { time: alert.time_s, level: highest?.level ?? 0, region: highest?.region ?? null };
     });
   }

@@ -39,7 +39,11 @@ export function believers(world: World): Set<number> {
 export class Cockpit {
   private readonly pose = new Float64Array(4);
 
-  constructor(private readonly world: World, readonly alerts: Alerts, readonly aircraft: number) {}
+  constructor(
+    private readonly world: World,
+    readonly alerts: Alerts,
+    readonly aircraft: number,
+  ) {}
 
   get name(): string {
     return this.world.name(this.aircraft);
@@ -54,7 +58,8 @@ export class Cockpit {
   /** The own team, without this aircraft. */
   team(time: number): { name: string; pose: Pose }[] {
     const { fleet } = this.world;
-    return Array.from({ length: fleet.count }, (_, row) => row).filter((row) => fleet.ids[row] !== this.aircraft)
+    return Array.from({ length: fleet.count }, (_, row) => row)
+      .filter((row) => fleet.ids[row] !== this.aircraft)
       .map((row) => ({ name: this.world.name(fleet.ids[row]), pose: this.flight(row, time).pose }));
   }
 
@@ -66,8 +71,11 @@ export class Cockpit {
         const age = time - each.time_s;
         const velocity: [number, number, number] = [each.velocity_north_mps ?? 0, each.velocity_east_mps ?? 0, each.climb_mps ?? 0];
         return {
-          track: each.track, velocity, deviation: each.horizontal_sd_m ?? 0,
-          north: (each.north_m ?? 0) + age * velocity[0], east: (each.east_m ?? 0) + age * velocity[1],
+          track: each.track,
+          velocity,
+          deviation: each.horizontal_sd_m ?? 0,
+          north: (each.north_m ?? 0) + age * velocity[0],
+          east: (each.east_m ?? 0) + age * velocity[1],
           altitude: (each.altitude_msl_m ?? 0) + age * velocity[2],
         };
       });
@@ -75,13 +83,20 @@ export class Cockpit {
 
   // Frames are of a moment later at most: it is gone back from them.
   private flight(row: number, time: number): OwnShip {
-    const { fleet } = this.world, back = fleet.time - time, value = (name: string) => fleet.get(row, name) || 0;
-    const north = value("velocity_north_mps"), east = value("velocity_east_mps"), climb = value("climb_mps");
+    const { fleet } = this.world,
+      back = fleet.time - time,
+      value = (name: string) => fleet.get(row, name) || 0;
+    const north = value("velocity_north_mps"),
+      east = value("velocity_east_mps"),
+      climb = value("climb_mps");
     fleet.pose(row, time, this.pose);
-    const speed = Math.hypot(north, east), [, , altitude, heading] = this.pose;
+    const speed = Math.hypot(north, east),
+      [, , altitude, heading] = this.pose;
     return {
       pose: { north: value("north_m") - back * north, east: value("east_m") - back * east, heading, altitude },
-      track: speed > kStands ? Math.atan2(east, north) : heading, speed, climb,
+      track: speed > kStands ? Math.atan2(east, north) : heading,
+      speed,
+      climb,
     };
   }
 }

@@ -17,16 +17,14 @@ export interface MapData {
   frames: Packed;
 }
 
-export type FlightColumn =
-  "altitude_msl_m" | "airspeed_mps" | "cross_track_m" | "position_error_m" | "charge" | "reserve";
+export type FlightColumn = "altitude_msl_m" | "airspeed_mps" | "cross_track_m" | "position_error_m" | "charge" | "reserve";
 
 /** Ranges of values: from, to, number of the region (kRegions), one after the other. */
 export type BandList = number[];
 
 /** What an aircraft may fly at a time: time, highest level, advised track [deg], speed, vertical speed, time to
  * recovery; bands of tracks [deg], speeds, vertical speeds, altitudes. */
-export type BandRow = [number, number, number | null, number | null, number | null, number | null,
-  BandList, BandList, BandList, BandList];
+export type BandRow = [number, number, number | null, number | null, number | null, number | null, BandList, BandList, BandList, BandList];
 
 /** A point of a recommended path. */
 export interface PathPoint {
@@ -70,10 +68,18 @@ export interface RunData {
     time_s: Packed;
     load_mean: Packed;
     load_max: Packed;
-    radios: { entity: number; frames: number; sending: number; busy: number; waiting: number; queue_full: number;
-      retry_limit: number; expired: number; received: number }[];
-    links: { from: number; to: number; arrived: number; lost: number; rssi_dbm: number | null; sinr_db: number | null;
-      delay_s: number | null }[];
+    radios: {
+      entity: number;
+      frames: number;
+      sending: number;
+      busy: number;
+      waiting: number;
+      queue_full: number;
+      retry_limit: number;
+      expired: number;
+      received: number;
+    }[];
+    links: { from: number; to: number; arrived: number; lost: number; rssi_dbm: number | null; sinr_db: number | null; delay_s: number | null }[];
   } | null;
   events: Event[];
   events_left_out: number;

@@ -46,12 +46,13 @@ const kMetrics: Metric[] = [
 ];
 
 const key = (name: string) => (run: RunData) => run.summary[name];
-const of = (run: RunData, metric: Metric, part: string) =>
-  run.summary[`${metric.name}_${part}${metric.unit ? `_${metric.unit}` : ""}`];
+const of = (run: RunData, metric: Metric, part: string) => run.summary[`${metric.name}_${part}${metric.unit ? `_${metric.unit}` : ""}`];
 
 /** The smallest figure whose name begins so, times `factor`; undefined without any. */
 function lowest(run: RunData, beginning: string, factor: number): number | undefined {
-  const all = Object.entries(run.summary).filter(([name]) => name.startsWith(beginning)).map(([, value]) => value);
+  const all = Object.entries(run.summary)
+    .filter(([name]) => name.startsWith(beginning))
+    .map(([, value]) => value);
   return all.length > 0 ? factor * Math.min(...all) : undefined;
 }
 
@@ -90,13 +91,15 @@ const kCounts: Count[] = [
   { label: "Other aircraft", show: key("traffic") },
   { label: "Error of their tracks, RMS", unit: "m", show: key("traffic_error_rms_m") },
   { label: "Alerts", show: key("traffic_alerts") },
-  { label: "Highest alert", show: (run) => run.summary.traffic_alerts ? run.summary.traffic_alert_level_max : undefined },
+  { label: "Highest alert", show: (run) => (run.summary.traffic_alerts ? run.summary.traffic_alert_level_max : undefined) },
   { label: "Recommendations, followed", show: key("recommendations_followed") },
   { label: "Recommendations, ignored", show: (run) => run.summary.recommendations_ignored },
   { label: "Scans", show: key("range_scans") },
-  { label: "Messages lost", unit: "%",
-    show: (run) => run.summary.messages_sent > 0
-      ? (100 * run.summary.messages_lost) / run.summary.messages_sent : undefined },
+  {
+    label: "Messages lost",
+    unit: "%",
+    show: (run) => (run.summary.messages_sent > 0 ? (100 * run.summary.messages_lost) / run.summary.messages_sent : undefined),
+  },
 ];
 
 /** Counts that say something only when they are not zero. */
@@ -107,48 +110,67 @@ const known = (value: number | undefined): value is number => value != null && N
 /** Which values are the best ones, as far as the printed digits distinguish them. */
 function bestOf(values: (number | undefined)[], texts: string[], best?: Best): boolean[] {
   const cost = values.map((v) =>
-    !known(v) ? Infinity
-      : best === "low" ? v : best === "high" ? -v
-      // Ratios are judged as ratios: 0.5 is as far from 1 as 2.
-      : best ? Math.abs(best.near === 1 ? Math.log(Math.max(v, 1e-9)) : v - best.near) : 0);
+    !known(v)
+      ? Infinity
+      : best === "low"
+        ? v
+        : best === "high"
+          ? -v
+          : // Ratios are judged as ratios: 0.5 is as far from 1 as 2.
+            best
+            ? Math.abs(best.near === 1 ? Math.log(Math.max(v, 1e-9)) : v - best.near)
+            : 0,
+  );
   const winner = texts[cost.indexOf(Math.min(...cost))];
   const useful = best != null && new Set(texts).size > 1;
   return values.map((v, i) => useful && known(v) && texts[i] === winner);
 }
 
-function table(caption: string | null, columns: (Node | string)[], rows: Row[], compare: boolean,
-  before: HTMLElement[] = []): HTMLElement {
-  const body = rows.filter((row) => row.values.some(known)).map((row) => {
-    const texts = row.values.map((value) => !known(value) ? "–" : (row.text ?? number)(value));
-    const best = compare ? bestOf(row.values, texts, row.best) : [];
-    const cells = row.values.map((value, i) =>
-      h("td", { class: best[i] ? "best" : undefined }, texts[i],
-        row.unit && known(value) ? h("span", { class: "unit" }, ` ${row.unit}`) : null,
-        best[i] ? h("span", { class: "visually-hidden" }, " (best)") : null));
-    return h("tr", {}, h("th", { scope: "row" }, row.label,
-      row.help ? h("span", { class: "help" }, row.help) : null), ...cells);
-  });
-  return h("div", { class: "scroll" }, h("table", { class: "figures" },
-    caption ? h("caption", {}, caption) : null,
-    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Figure"),
-      ...columns.map((column) => h("th", { scope: "col" }, column)))),
-    h("tbody", {}, ...before, ...body)));
+function table(caption: string | null, columns: (Node | string)[], rows: Row[], compare: boolean, before: HTMLElement[] = []): HTMLElement {
+  const body = rows
+    .filter((row) => row.values.some(known))
+    .map((row) => {
+      const texts = row.values.map((value) => (!known(value) ? "–" : (row.text ?? number)(value)));
+      const best = compare ? bestOf(row.values, texts, row.best) : [];
+      const cells = row.values.map((value, i) =>
+        h(
+          "td",
+          { class: best[i] ? "best" : undefined },
+          texts[i],
+          row.unit && known(value) ? h("span", { class: "unit" }, ` ${row.unit}`) : null,
+          best[i] ? h("span", { class: "visually-hidden" }, " (best)") : null,
+        ),
+      );
+      return h("tr", {}, h("th", { scope: "row" }, row.label, row.help ? h("span", { class: "help" }, row.help) : null), ...cells);
+    });
+  return h(
+    "div",
+    { class: "scroll" },
+    h(
+      "table",
+      { class: "figures" },
+      caption ? h("caption", {}, caption) : null,
+      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Figure"), ...columns.map((column) => h("th", { scope: "col" }, column)))),
+      h("tbody", {}, ...before, ...body),
+    ),
+  );
 }
 
 /** Whether the run was about a fire at all. */
-export const hasMetrics = (run: RunData) =>
-  kMetrics.some((metric) => ["mean", "run_mean", "final"].some((part) => known(of(run, metric, part))));
+export const hasMetrics = (run: RunData) => kMetrics.some((metric) => ["mean", "run_mean", "final"].some((part) => known(of(run, metric, part))));
 
 /** One run: each metric's means and last value. */
 export function figuresTable(run: RunData): HTMLElement {
-  return table(null, ["mean", "whole run", "at the end"], kMetrics.map((metric) => ({
-    ...metric, values: ["mean", "run_mean", "final"].map((part) => of(run, metric, part)),
-  })), false);
+  return table(
+    null,
+    ["mean", "whole run", "at the end"],
+    kMetrics.map((metric) => ({ ...metric, values: ["mean", "run_mean", "final"].map((part) => of(run, metric, part)) })),
+    false,
+  );
 }
 
 function headings(runs: RunData[]): HTMLElement[] {
-  return runs.map((run, i) => h("span", {},
-    h("span", { class: `swatch c${i % 8}`, "aria-hidden": "true" }), run.label));
+  return runs.map((run, i) => h("span", {}, h("span", { class: `swatch c${i % 8}`, "aria-hidden": "true" }), run.label));
 }
 
 /** Who flew and thought: before the figures. */
@@ -159,26 +181,24 @@ function settingRows(runs: RunData[]): HTMLElement[] {
     ["Seed", (run) => run.seed],
     ["State", (run) => (runs.every((each) => each.state === "complete") ? "" : run.state)],
   ];
-  return settings.filter(([, of]) => runs.some(of)).map(([label, of]) =>
-    h("tr", {}, h("th", { scope: "row" }, label), ...runs.map((run) => h("td", {}, of(run) || "–"))));
+  return settings
+    .filter(([, of]) => runs.some(of))
+    .map(([label, of]) => h("tr", {}, h("th", { scope: "row" }, label), ...runs.map((run) => h("td", {}, of(run) || "–"))));
 }
 
 /** Figures of missions, one column for each run; none where no mission has any. */
 export function missionTable(runs: RunData[]): HTMLElement | null {
   const texts = Object.assign({}, ...runs.map((run) => run.missions.texts)) as Record<string, string>;
-  const rows: Row[] = Object.entries(texts).map(([name, text]) =>
-    ({ label: text, values: runs.map((run) => run.summary[name]) }));
+  const rows: Row[] = Object.entries(texts).map(([name, text]) => ({ label: text, values: runs.map((run) => run.summary[name]) }));
   return rows.length > 0 ? table("Missions", runs.length > 1 ? headings(runs) : ["value"], rows, false) : null;
 }
 
 /** Several runs: one column for each. */
 export function comparisonTables(runs: RunData[]): HTMLElement[] {
-  const rows = (part: string): Row[] =>
-    kMetrics.map((metric) => ({ ...metric, values: runs.map((run) => of(run, metric, part)) }));
+  const rows = (part: string): Row[] => kMetrics.map((metric) => ({ ...metric, values: runs.map((run) => of(run, metric, part)) }));
   const counts: Row[] = kCounts.map((count) => ({ ...count, values: runs.map(count.show) }));
   const fair = sameFire(runs);
-  const more = (title: string, part: string) => h("details", {}, h("summary", {}, title),
-    table(null, headings(runs), rows(part), fair));
+  const more = (title: string, part: string) => h("details", {}, h("summary", {}, title), table(null, headings(runs), rows(part), fair));
   return [
     table(null, headings(runs), [...rows("mean"), ...counts], fair, settingRows(runs)),
     more("Means over the whole run, with the deployment", "run_mean"),
@@ -189,17 +209,23 @@ export function comparisonTables(runs: RunData[]): HTMLElement[] {
 /** Large tiles with what matters most of a single run, and its counts. */
 export function tiles(run: RunData): HTMLElement {
   const tile = (label: string, value: number | undefined, unit = "", text: (v: number) => string = number) =>
-    !known(value) ? null
-      : h("div", { class: "tile" }, h("span", { class: "tile-label" }, label),
-        h("span", { class: "tile-value" }, text(value), unit ? h("span", { class: "unit" }, ` ${unit}`) : null));
-  return h("div", { class: "tiles" },
+    !known(value)
+      ? null
+      : h(
+          "div",
+          { class: "tile" },
+          h("span", { class: "tile-label" }, label),
+          h("span", { class: "tile-value" }, text(value), unit ? h("span", { class: "unit" }, ` ${unit}`) : null),
+        );
+  return h(
+    "div",
+    { class: "tiles" },
     ...["perf", "boundary_rms", "iou", "coverage_95"].map((name) => {
       const metric = kMetrics.find((each) => each.name === name)!;
       const mean = of(run, metric, "mean");
       // Without an allocation phase there is only the whole run, and the tile says so.
-      return known(mean) ? tile(`${metric.label}, mean`, mean, metric.unit)
-        : tile(`${metric.label}, whole run`, of(run, metric, "run_mean"), metric.unit);
+      return known(mean) ? tile(`${metric.label}, mean`, mean, metric.unit) : tile(`${metric.label}, whole run`, of(run, metric, "run_mean"), metric.unit);
     }),
-    ...kCounts.filter((count) => !kWhenAny.includes(count.label) || count.show(run))
-      .map((count) => tile(count.label, count.show(run), count.unit, count.text)));
+    ...kCounts.filter((count) => !kWhenAny.includes(count.label) || count.show(run)).map((count) => tile(count.label, count.show(run), count.unit, count.text)),
+  );
 }

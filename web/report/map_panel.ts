@@ -24,9 +24,13 @@ function link(maps: MapView[]): () => void {
       moving = false;
     };
     from.map.on("move", follow);
-    return () => { from.map.off("move", follow); };
+    return () => {
+      from.map.off("move", follow);
+    };
   });
-  return () => { for (const end of ends) end(); };
+  return () => {
+    for (const end of ends) end();
+  };
 }
 
 export class MapPanel {
@@ -47,20 +51,25 @@ export class MapPanel {
   private constructor(private readonly all: ShownRun[]) {
     this.player = new Player(Math.max(...all.map(({ run }) => run.duration_s)));
     this.player.time = this.player.end; // the first look is at the result; playing starts at the beginning
-    const single = all.length === 1, dimension = () => this.turn();
-    this.frames = all.slice(0, kFrames).map((shown) => new RunFrame(shown, this.player, {
-      bar: (frame) => (single ? timeControls(frame.view) : this.choice(frame)), isOneOfSeveral: !single, dimension,
-    }));
+    const single = all.length === 1,
+      dimension = () => this.turn();
+    this.frames = all
+      .slice(0, kFrames)
+      .map(
+        (shown) =>
+          new RunFrame(shown, this.player, { bar: (frame) => (single ? timeControls(frame.view) : this.choice(frame)), isOneOfSeveral: !single, dimension }),
+      );
     this.element.append(...(single ? [] : [this.bar]), h("div", { class: "map-frames" }, ...this.frames.map(({ element }) => element)));
     this.join();
     this.player.listeners.push(() => this.tell());
-    listenToKeys({
-      " ": () => (this.player.playing ? this.player.pause() : this.player.play()),
-      ".": () => this.first.view.step(1), ",": () => this.first.view.step(-1),
-    }, () => false, this.element);
-    printedMaps(this.element, this.player, () => this.frames.map((frame) => ({
-      map: frame.view.map, text: (time) => [single ? "" : frame.run.label, frame.figures(time)].filter(Boolean).join(": "),
-    })));
+    listenToKeys(
+      { " ": () => (this.player.playing ? this.player.pause() : this.player.play()), ".": () => this.first.view.step(1), ",": () => this.first.view.step(-1) },
+      () => false,
+      this.element,
+    );
+    printedMaps(this.element, this.player, () =>
+      this.frames.map((frame) => ({ map: frame.view.map, text: (time) => [single ? "" : frame.run.label, frame.figures(time)].filter(Boolean).join(": ") })),
+    );
   }
 
   /** The frame of the only run, or the left one. */
@@ -69,8 +78,11 @@ export class MapPanel {
   }
 
   private choice(frame: RunFrame): HTMLElement {
-    const select = h("select", { "aria-label": "Run on the map", onchange: () => this.change(frame, this.all[Number(select.value)]) },
-      ...this.all.map((each, i) => h("option", { value: i, selected: each.run === frame.run }, each.run.label)));
+    const select = h(
+      "select",
+      { "aria-label": "Run on the map", onchange: () => this.change(frame, this.all[Number(select.value)]) },
+      ...this.all.map((each, i) => h("option", { value: i, selected: each.run === frame.run }, each.run.label)),
+    );
     return select;
   }
 
@@ -87,7 +99,8 @@ export class MapPanel {
   // What belongs to all frames, for the runs that are shown now.
   private join(): void {
     if (this.frames.length < 2) return;
-    const { view } = this.first, events = () => this.frames.flatMap((each) => each.view.events).sort((a, b) => a.time_s - b.time_s);
+    const { view } = this.first,
+      events = () => this.frames.flatMap((each) => each.view.events).sort((a, b) => a.time_s - b.time_s);
     this.bar.replaceChildren(timeControls(view), replayButtons(view, events), timeSlider(view));
     this.unlink = this.frames.every((each) => each.isAt(this.first)) ? link(this.frames.map((each) => each.view.map)) : () => undefined;
   }

@@ -7,24 +7,37 @@ import type { Cockpit, OwnShip } from "./cockpit";
 
 /** As on displays in cockpits: dark, whatever the page is. */
 const kInk = {
-  ground: "#0b0e11", ring: "#46525c", ink: "#e8eaec", muted: "#8b98a3", own: "#ffffff", other: "#7fd4ff",
-  team: "#b8c4ff", preventive: "#f0e070", corrective: "#ffab1a", warning: "#ff3b30", recovery: "#35d07f",
-  path: "#ff7bf5", box: "#1b2229",
+  ground: "#0b0e11",
+  ring: "#46525c",
+  ink: "#e8eaec",
+  muted: "#8b98a3",
+  own: "#ffffff",
+  other: "#7fd4ff",
+  team: "#b8c4ff",
+  preventive: "#f0e070",
+  corrective: "#ffab1a",
+  warning: "#ff3b30",
+  recovery: "#35d07f",
+  path: "#ff7bf5",
+  box: "#1b2229",
 };
-const kRegionInk: Record<Region, string> = {
-  NONE: kInk.ink, FAR: kInk.preventive, MID: kInk.corrective, NEAR: kInk.warning, RECOVERY: kInk.recovery,
-};
+const kRegionInk: Record<Region, string> = { NONE: kInk.ink, FAR: kInk.preventive, MID: kInk.corrective, NEAR: kInk.warning, RECOVERY: kInk.recovery };
 const kDegree = Math.PI / 180;
-const kNear = 11000, kNearHeight = 366; // proximate traffic: 6 NM, 1200 ft [m]
+const kNear = 11000,
+  kNearHeight = 366; // proximate traffic: 6 NM, 1200 ft [m]
 const kClimbs = 2.5; // an arrow says so [m/s]
-const kTape = 62, kClimbTape = 54, kGap = 12; // widths [px]
+const kTape = 62,
+  kClimbTape = 54,
+  kGap = 12; // widths [px]
 
 /** The range that shows who is alerted, else who is near [m]. */
 export function fittingRange(cockpit: Cockpit, own: OwnShip, time: number): number {
-  const distances = cockpit.traffic(time).map((each) => ({
-    distance: Math.hypot(each.north - own.pose.north, each.east - own.pose.east),
-    alert: cockpit.alerts.alert(cockpit.aircraft, each.track, time),
-  }));
+  const distances = cockpit
+    .traffic(time)
+    .map((each) => ({
+      distance: Math.hypot(each.north - own.pose.north, each.east - own.pose.east),
+      alert: cockpit.alerts.alert(cockpit.aircraft, each.track, time),
+    }));
   const alerted = distances.filter(({ alert }) => alert).map(({ distance }) => distance);
   const far = alerted.length > 0 ? Math.max(...alerted) : Math.min(7000, ...distances.map(({ distance }) => distance));
   return kRanges.find((range) => range >= 1.1 * far) ?? kRanges[kRanges.length - 1];
@@ -56,7 +69,8 @@ function drawCompass(c: Context, x: number, y: number, radius: number, own: OwnS
   c.arc(x, y, radius, 0, 7);
   c.stroke();
   for (let degrees = 0; degrees < 360; degrees += 10) {
-    const a = angle(degrees * kDegree), long = degrees % 30 === 0;
+    const a = angle(degrees * kDegree),
+      long = degrees % 30 === 0;
     c.beginPath();
     c.moveTo(x + radius * Math.cos(a), y + radius * Math.sin(a));
     c.lineTo(x + (radius - (long ? 11 : 6)) * Math.cos(a), y + (radius - (long ? 11 : 6)) * Math.sin(a));
@@ -130,19 +144,20 @@ function drawSymbol(c: Context, x: number, y: number, symbol: Symbol): void {
     c.closePath();
   }
   c.lineWidth = 1.8;
-  c.strokeStyle = c.fillStyle = symbol === "warning" ? kInk.warning : symbol === "corrective" ? kInk.corrective
-    : symbol === "preventive" ? kInk.preventive : kInk.other;
+  c.strokeStyle = c.fillStyle =
+    symbol === "warning" ? kInk.warning : symbol === "corrective" ? kInk.corrective : symbol === "preventive" ? kInk.preventive : kInk.other;
   if (symbol !== "other") c.fill();
   c.stroke();
 }
 
 const signed = (value: number) => `${value < 0 ? "−" : "+"}${Math.abs(Math.round(value))}`;
 
-function drawOthers(c: Context, x: number, y: number, radius: number, range: number, cockpit: Cockpit,
-  own: OwnShip, time: number): void {
+function drawOthers(c: Context, x: number, y: number, radius: number, range: number, cockpit: Cockpit, own: OwnShip, time: number): void {
   const scale = radius / range;
   const place = (north: number, east: number): [number, number] => {
-    const n = north - own.pose.north, e = east - own.pose.east, h = own.pose.heading;
+    const n = north - own.pose.north,
+      e = east - own.pose.east,
+      h = own.pose.heading;
     return [x + (-n * Math.sin(h) + e * Math.cos(h)) * scale, y - (n * Math.cos(h) + e * Math.sin(h)) * scale];
   };
   const recommended = cockpit.alerts.recommendation(cockpit.aircraft, time);
@@ -155,11 +170,13 @@ function drawOthers(c: Context, x: number, y: number, radius: number, range: num
     c.lineWidth = 2.4;
     c.setLineDash(recommended.state === "followed" ? [] : [8, 5]);
     c.beginPath();
-    recommended.path.filter((point) => point.time_s >= time).forEach((point, i) => {
-      const [px, py] = place(point.north_m, point.east_m);
-      if (i === 0) c.moveTo(px, py);
-      else c.lineTo(px, py);
-    });
+    recommended.path
+      .filter((point) => point.time_s >= time)
+      .forEach((point, i) => {
+        const [px, py] = place(point.north_m, point.east_m);
+        if (i === 0) c.moveTo(px, py);
+        else c.lineTo(px, py);
+      });
     c.stroke();
     c.setLineDash([]);
   }
@@ -177,18 +194,17 @@ function drawOthers(c: Context, x: number, y: number, radius: number, range: num
     c.stroke();
     c.restore();
     // Neighbours in a row do not write over each other.
-    text(c, `${name} ${signed(pose.altitude - own.pose.altitude)}`, px, index % 2 === 0 ? py + 16 : py - 16, kInk.team,
-      "center", 11);
+    text(c, `${name} ${signed(pose.altitude - own.pose.altitude)}`, px, index % 2 === 0 ? py + 16 : py - 16, kInk.team, "center", 11);
   });
-  const all = cockpit.traffic(time)
+  const all = cockpit
+    .traffic(time)
     .map((each) => ({ each, alert: cockpit.alerts.alert(cockpit.aircraft, each.track, time) }))
     .sort((a, b) => (a.alert?.level ?? 0) - (b.alert?.level ?? 0)); // the highest on top
   for (const { each, alert } of all) {
     const [px, py] = place(each.north, each.east);
     const height = each.altitude - own.pose.altitude;
     const near = Math.hypot(each.north - own.pose.north, each.east - own.pose.east) < kNear && Math.abs(height) < kNearHeight;
-    const symbol: Symbol = !alert ? (near ? "near" : "other")
-      : alert.region === "NEAR" ? "warning" : alert.region === "MID" ? "corrective" : "preventive";
+    const symbol: Symbol = !alert ? (near ? "near" : "other") : alert.region === "NEAR" ? "warning" : alert.region === "MID" ? "corrective" : "preventive";
     // Where it is believed to be, as an area; where it will be in half a minute.
     c.globalAlpha = 0.5;
     c.lineWidth = 1;
@@ -227,7 +243,8 @@ function drawTape(c: Context, y: number, height: number, tape: Tape): void {
   const { x, width, span, value } = tape;
   const centre = tape.fixed ? 0 : value;
   const at = (v: number) => y + height / 2 - ((v - centre) / span) * height;
-  const edge = tape.right ? x + width : x, inner = tape.right ? -1 : 1;
+  const edge = tape.right ? x + width : x,
+    inner = tape.right ? -1 : 1;
   text(c, tape.title, x + width / 2, y - 12, kInk.muted, "center", 11);
   c.save();
   c.beginPath();
@@ -254,8 +271,7 @@ function drawTape(c: Context, y: number, height: number, tape: Tape): void {
     c.moveTo(edge + inner * 8, at(v));
     c.lineTo(edge + inner * 14, at(v));
     c.stroke();
-    text(c, v.toFixed(tape.step < 1 ? 1 : 0).replace("-", "−"), edge + inner * 18, at(v), kInk.muted,
-      tape.right ? "right" : "left", 11);
+    text(c, v.toFixed(tape.step < 1 ? 1 : 0).replace("-", "−"), edge + inner * 18, at(v), kInk.muted, tape.right ? "right" : "left", 11);
   }
   if (tape.advised !== null) {
     const py = Math.min(Math.max(at(tape.advised), y + 6), y + height - 6);
@@ -270,7 +286,8 @@ function drawTape(c: Context, y: number, height: number, tape: Tape): void {
   const py = Math.min(Math.max(at(value), y + 10), y + height - 10);
   c.fillStyle = kInk.ground;
   c.strokeStyle = kInk.ink;
-  const bx = tape.right ? x + 2 : x + 12, bw = width - 14;
+  const bx = tape.right ? x + 2 : x + 12,
+    bw = width - 14;
   c.fillRect(bx, py - 10, bw, 20);
   c.strokeRect(bx + 0.5, py - 9.5, bw - 1, 19);
   text(c, value.toFixed(tape.digits).replace("-", "−"), bx + bw / 2, py, kInk.ink, "center", 13);
@@ -278,8 +295,7 @@ function drawTape(c: Context, y: number, height: number, tape: Tape): void {
 }
 
 /** Draws the display of an aircraft; the context's units are CSS pixels. */
-export function drawPilotDisplay(c: Context, cockpit: Cockpit, time: number, range: number,
-  width: number, height: number): void {
+export function drawPilotDisplay(c: Context, cockpit: Cockpit, time: number, range: number, width: number, height: number): void {
   c.fillStyle = kInk.ground;
   c.fillRect(0, 0, width, height);
   const own = cockpit.own(time);
@@ -288,9 +304,11 @@ export function drawPilotDisplay(c: Context, cockpit: Cockpit, time: number, ran
     return;
   }
   const bands = cockpit.alerts.bands(cockpit.aircraft, time);
-  const left = kGap + kTape + kGap, right = kGap + kTape + kGap + kClimbTape + kGap;
+  const left = kGap + kTape + kGap,
+    right = kGap + kTape + kGap + kClimbTape + kGap;
   const radius = Math.max(60, Math.min((width - left - right) / 2 - 14, height / 2 - 42));
-  const x = left + (width - left - right) / 2, y = height / 2 + 14;
+  const x = left + (width - left - right) / 2,
+    y = height / 2 + 14;
 
   for (const part of [0.5, 1]) {
     c.strokeStyle = kInk.ring;
@@ -306,19 +324,59 @@ export function drawPilotDisplay(c: Context, cockpit: Cockpit, time: number, ran
   text(c, rangeText(range / 2), x + 0.5 * radius * 0.71 + 6, y + 0.5 * radius * 0.71 + 6, kInk.muted, "left", 11);
   drawCompass(c, x, y, radius, own, bands);
   drawOwn(c, x, y);
-  const heading = Math.round(((own.pose.heading / kDegree) % 360 + 360) % 360) % 360;
+  const heading = Math.round((((own.pose.heading / kDegree) % 360) + 360) % 360) % 360;
   c.fillStyle = kInk.box;
   c.fillRect(x - 24, y - radius - 38, 48, 20);
   text(c, String(heading).padStart(3, "0"), x, y - radius - 28, kInk.ink, "center", 14);
   text(c, `${cockpit.name} · range ${rangeText(range)}`, x - radius, 14, kInk.muted, "left", 11);
 
-  const tapeHeight = 2 * radius * 0.86, tapeTop = y - tapeHeight / 2;
-  drawTape(c, tapeTop, tapeHeight, { x: kGap, width: kTape, span: 40, step: 5, value: own.speed, bands: bands?.[7] ?? [],
-    advised: bands?.[3] ?? null, title: "speed m/s", digits: 1, fixed: false, right: true });
-  drawTape(c, tapeTop, tapeHeight, { x: width - right + kGap, width: kTape, span: 400, step: 50, value: own.pose.altitude,
-    bands: bands?.[9] ?? [], advised: null, title: "altitude m", digits: 0, fixed: false, right: false });
-  const climbs = Math.max(6, Math.abs(own.climb) + 1, Math.abs(bands?.[4] ?? 0) + 1,
-    ...pieces(bands?.[8] ?? []).filter(({ region }) => region !== "NONE").flatMap(({ from, to }) => [Math.abs(from), Math.abs(to)]));
-  drawTape(c, tapeTop, tapeHeight, { x: width - kGap - kClimbTape, width: kClimbTape, span: 2 * climbs, step: climbs > 20 ? 10 : climbs > 12 ? 5 : 2,
-    value: own.climb, bands: bands?.[8] ?? [], advised: bands?.[4] ?? null, title: "climb m/s", digits: 1, fixed: true, right: false });
+  const tapeHeight = 2 * radius * 0.86,
+    tapeTop = y - tapeHeight / 2;
+  drawTape(c, tapeTop, tapeHeight, {
+    x: kGap,
+    width: kTape,
+    span: 40,
+    step: 5,
+    value: own.speed,
+    bands: bands?.[7] ?? [],
+    advised: bands?.[3] ?? null,
+    title: "speed m/s",
+    digits: 1,
+    fixed: false,
+    right: true,
+  });
+  drawTape(c, tapeTop, tapeHeight, {
+    x: width - right + kGap,
+    width: kTape,
+    span: 400,
+    step: 50,
+    value: own.pose.altitude,
+    bands: bands?.[9] ?? [],
+    advised: null,
+    title: "altitude m",
+    digits: 0,
+    fixed: false,
+    right: false,
+  });
+  const climbs = Math.max(
+    6,
+    Math.abs(own.climb) + 1,
+    Math.abs(bands?.[4] ?? 0) + 1,
+    ...pieces(bands?.[8] ?? [])
+      .filter(({ region }) => region !== "NONE")
+      .flatMap(({ from, to }) => [Math.abs(from), Math.abs(to)]),
+  );
+  drawTape(c, tapeTop, tapeHeight, {
+    x: width - kGap - kClimbTape,
+    width: kClimbTape,
+    span: 2 * climbs,
+    step: climbs > 20 ? 10 : climbs > 12 ? 5 : 2,
+    value: own.climb,
+    bands: bands?.[8] ?? [],
+    advised: bands?.[4] ?? null,
+    title: "climb m/s",
+    digits: 1,
+    fixed: true,
+    right: false,
+  });
 }

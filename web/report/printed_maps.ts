@@ -23,10 +23,18 @@ export function printedMaps(holder: HTMLElement, player: Player, maps: () => Pri
       return maps().map(({ map, text }) => h("figure", {}, map.picture(), h("figcaption", {}, `${clock(player.time)}. ${text(player.time)}`)));
     });
     player.seek(time);
-    pictures = h("div", { class: "print-maps" },
-      h("p", {}, "Red: true fire. Dashed blue: believed boundary, shaded: its 95 % band. Crosses: crossings of the last five minutes. " +
-        "Squares: objects, filled once found. Diamonds: other aircraft; circles: where they are believed, amber and red with an alert. " +
-        "Lines behind aircraft: their recent flight."), ...figures);
+    pictures = h(
+      "div",
+      { class: "print-maps" },
+      h(
+        "p",
+        {},
+        "Red: true fire. Dashed blue: believed boundary, shaded: its 95 % band. Crosses: crossings of the last five minutes. " +
+          "Squares: objects, filled once found. Diamonds: other aircraft; circles: where they are believed, amber and red with an alert. " +
+          "Lines behind aircraft: their recent flight.",
+      ),
+      ...figures,
+    );
     holder.append(pictures);
   });
   window.addEventListener("afterprint", () => {

@@ -31,7 +31,9 @@ export async function unpack(run: RunData): Promise<ShownRun | null> {
   const { run: description, step_s, ...packed } = run.map;
   const [terrain, records, frames] = await Promise.all([packed.terrain, packed.records, packed.frames].map(unpacked));
   return {
-    run, recorded: { run: description, step_s, terrain, records, frames }, alerts: new Alerts(run.alerting),
+    run,
+    recorded: { run: description, step_s, terrain, records, frames },
+    alerts: new Alerts(run.alerting),
     metricTimes: floats(run.metrics.time_s),
     metrics: Object.fromEntries(Object.entries(run.metrics.columns).map(([name, column]) => [name, floats(column)])),
   };
@@ -45,8 +47,12 @@ function figuresAt({ metricTimes, metrics }: ShownRun, time: number): string {
     const value = i < 0 ? null : metrics[column]?.[i];
     return value != null && Number.isFinite(value) ? [`${label} ${number(value)}${unit}`] : [];
   };
-  return [...part("Perf", "perf_m", " m"), ...part("boundary RMS", "boundary_rms_m", " m"),
-    ...part("IoU", "iou", ""), ...part("coverage", "coverage_95", "")].join(" · ");
+  return [
+    ...part("Perf", "perf_m", " m"),
+    ...part("boundary RMS", "boundary_rms_m", " m"),
+    ...part("IoU", "iou", ""),
+    ...part("coverage", "coverage_95", ""),
+  ].join(" · ");
 }
 
 /** What a frame does not decide alone. */
@@ -65,12 +71,23 @@ export class RunFrame {
   private current!: RecordedView;
   private strip: AlertStrip | null = null;
 
-  constructor(private shown: ShownRun, private readonly player: Player, private readonly options: FrameOptions) {
+  constructor(
+    private shown: ShownRun,
+    private readonly player: Player,
+    private readonly options: FrameOptions,
+  ) {
     this.show(shown);
-    listenToKeys({
-      "0": () => this.current.map.fit(), d: () => options.dimension(), n: () => this.current.map.map.easeTo({ bearing: 0 }),
-      m: () => this.current.tools.measure(), Escape: () => this.current.map.select([]),
-    }, (event) => this.current.tools.key(event), this.element);
+    listenToKeys(
+      {
+        "0": () => this.current.map.fit(),
+        d: () => options.dimension(),
+        n: () => this.current.map.map.easeTo({ bearing: 0 }),
+        m: () => this.current.tools.measure(),
+        Escape: () => this.current.map.select([]),
+      },
+      (event) => this.current.tools.key(event),
+      this.element,
+    );
   }
 
   get view(): RecordedView {
@@ -84,7 +101,8 @@ export class RunFrame {
   }
   /** Two runs of one place can be looked at from the same point. */
   isAt(other: RunFrame): boolean {
-    const a = this.shown.recorded.run.origin, b = other.shown.recorded.run.origin;
+    const a = this.shown.recorded.run.origin,
+      b = other.shown.recorded.run.origin;
     return a?.latitude_deg === b?.latitude_deg && a?.longitude_deg === b?.longitude_deg;
   }
 
@@ -96,7 +114,8 @@ export class RunFrame {
 
   private show(shown: ShownRun): void {
     this.shown = shown;
-    const view = new RecordedView(shown.recorded, this.player), { map, tools } = view;
+    const view = new RecordedView(shown.recorded, this.player),
+      { map, tools } = view;
     this.current = view;
     if (view.world.fleet.count > kMany) view.settings.tail = kShortTail;
     map.applyLayers();
@@ -104,10 +123,22 @@ export class RunFrame {
     contextMenu(view, stage);
     this.strip = alertStrip(shown.run, shown.alerts, this.player.end, (time) => this.player.stand(time));
     this.element.replaceChildren(
-      h("div", { class: "map-bar" }, this.options.bar(this),
-        h("div", { class: "right" }, dimensionButton(view, () => this.options.dimension()), settingsMenu(view))),
-      stage, new Timeline(view, this.options.isOneOfSeveral).element, ...(this.strip ? [this.strip.element] : []),
-      ...(shown.metricTimes.length > 0 ? [this.status] : []));
+      h(
+        "div",
+        { class: "map-bar" },
+        this.options.bar(this),
+        h(
+          "div",
+          { class: "right" },
+          dimensionButton(view, () => this.options.dimension()),
+          settingsMenu(view),
+        ),
+      ),
+      stage,
+      new Timeline(view, this.options.isOneOfSeveral).element,
+      ...(this.strip ? [this.strip.element] : []),
+      ...(shown.metricTimes.length > 0 ? [this.status] : []),
+    );
   }
 
   /** What is said of a time. */

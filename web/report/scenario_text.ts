@@ -17,14 +17,16 @@ export function chosen(scenario: string, role: string): string {
   const lines = block(scenario, "missions");
   const at = lines.findIndex((line) => line.trimStart().startsWith(`${role}:`));
   if (at < 0) return "";
-  const direct = lines[at].trim().slice(role.length + 1).trim();
+  const direct = lines[at]
+    .trim()
+    .slice(role.length + 1)
+    .trim();
   const kind = direct || (lines[at + 1] ?? "").replace(/^ *kind:/, "").trim();
   return kind.replace(/^"|"$/g, "");
 }
 
 /** Whether all runs were about the same fire: equal environment, origin and seed. */
 export function sameFire(runs: RunData[]): boolean {
-  const fires = runs.map((run) => [run.seed, ...block(run.scenario, "origin"),
-    ...block(run.scenario, "environment")].join("\n"));
+  const fires = runs.map((run) => [run.seed, ...block(run.scenario, "origin"), ...block(run.scenario, "environment")].join("\n"));
   return runs.every((run, i) => run.scenario !== "" && fires[i] === fires[0]);
 }

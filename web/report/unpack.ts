@@ -2,7 +2,8 @@
 /** What the program has compressed (RFC 1950) and written in base64. */
 
 export function bytes(packed: string): ArrayBuffer {
-  const text = atob(packed), out = new Uint8Array(text.length);
+  const text = atob(packed),
+    out = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) out[i] = text.charCodeAt(i);
   return out.buffer;
 }

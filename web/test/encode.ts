@@ -39,7 +39,8 @@ export class Encoder {
     w.bytes.push(this.table.version);
     w.uint(items.length);
     const own = this.table.choices[this.table.items];
-    for (const item of items) // what is no item of its own is a record
+    for (const item of items)
+      // what is no item of its own is a record
       this.choice(w, this.table.items, own.some(([kind]) => kind === item.kind) ? item : { kind: "live_record", record: item });
     return Uint8Array.from(w.bytes);
   }
@@ -52,9 +53,9 @@ export class Encoder {
     const all = this.table.choices[name];
     const index = all.findIndex(([kind]) => kind === value.kind);
     if (index < 0) throw new Error(`${name} has no ${value.kind}`);
-    const type = all[index][1], inner = new Writer();
-    if (type[0] === "@" && !type.endsWith("]"))
-      this.struct(inner, type.slice(1), "", this.ownKind(type.slice(1)) ? value.value : value);
+    const type = all[index][1],
+      inner = new Writer();
+    if (type[0] === "@" && !type.endsWith("]")) this.struct(inner, type.slice(1), "", this.ownKind(type.slice(1)) ? value.value : value);
     else this.one(inner, type, value.points);
     w.uint(index);
     w.part(inner);
@@ -78,15 +79,17 @@ export class Encoder {
     }
     const array = /^(.*)\[(\d+)\]$/.exec(type);
     if (array) {
-      for (let k = 1; k <= Number(array[2]); ++k)
-        this.field(w, [joined(own, String(k)), array[1], suffix, factor, axes, third], prefix, o);
+      for (let k = 1; k <= Number(array[2]); ++k) this.field(w, [joined(own, String(k)), array[1], suffix, factor, axes, third], prefix, o);
       return;
     }
     if (type === "vec2" || type === "vec3") {
-      axes.split(" ").slice(0, type === "vec2" ? 2 : 3).forEach((axis, k) => {
-        const v = o[joined(name, axis) + suffix];
-        w.f64(v == null ? NaN : (v / factor) * (k === 2 ? third : 1));
-      });
+      axes
+        .split(" ")
+        .slice(0, type === "vec2" ? 2 : 3)
+        .forEach((axis, k) => {
+          const v = o[joined(name, axis) + suffix];
+          w.f64(v == null ? NaN : (v / factor) * (k === 2 ? third : 1));
+        });
     } else if (type === "time") {
       this.one(w, type, o[joined(name, "s")]);
     } else if (type[0] === "@" && !type.endsWith("]")) {

@@ -7,14 +7,41 @@ import { fromServer, leftOutOfPlan, toGeoJson, toKml, toPlan } from "../live/geo
 
 const frame = new Frame({ latitude_deg: 36.6, longitude_deg: -121.6, height_m: 0 });
 const features: Feature[] = [
-  { name: "a <b> & \"c\"", geometry: { kind: "area", rings: [[[0, 0], [100, 0], [100, 100], [0, 100]]] }, properties: { prob: 0.5 } },
-  { name: "line", geometry: { kind: "line", points: [[0, 0], [50, 80]] }, properties: {} },
+  {
+    name: 'a <b> & "c"',
+    geometry: {
+      kind: "area",
+      rings: [
+        [
+          [0, 0],
+          [100, 0],
+          [100, 100],
+          [0, 100],
+        ],
+      ],
+    },
+    properties: { prob: 0.5 },
+  },
+  {
+    name: "line",
+    geometry: {
+      kind: "line",
+      points: [
+        [0, 0],
+        [50, 80],
+      ],
+    },
+    properties: {},
+  },
   { name: "point", geometry: { kind: "point", at: [-20, 30] }, properties: {} },
 ];
 
 test("GeoJSON has places to the centimetre of its digits, and what shapes are for", () => {
-  const [first] = (JSON.parse(toGeoJson([{ ...features[0], purpose: "exclusion" }], frame)) as
-    { features: { properties: Record<string, unknown>; geometry: { coordinates: [number, number][][] } }[] }).features;
+  const [first] = (
+    JSON.parse(toGeoJson([{ ...features[0], purpose: "exclusion" }], frame)) as {
+      features: { properties: Record<string, unknown>; geometry: { coordinates: [number, number][][] } }[];
+    }
+  ).features;
   assert.equal(first.properties.purpose, "exclusion");
   assert.equal(first.geometry.coordinates[0].length, 5);
   for (const [lng, lat] of first.geometry.coordinates[0]) {
@@ -24,7 +51,8 @@ test("GeoJSON has places to the centimetre of its digits, and what shapes are fo
 });
 
 test("outer rings run against the clock, as RFC 7946 wants", () => {
-  const ring = (JSON.parse(toGeoJson(features, frame)) as { features: { geometry: { coordinates: [number, number][][] } }[] }).features[0].geometry.coordinates[0];
+  const ring = (JSON.parse(toGeoJson(features, frame)) as { features: { geometry: { coordinates: [number, number][][] } }[] }).features[0].geometry
+    .coordinates[0];
   let area = 0;
   for (let i = 0; i + 1 < ring.length; ++i) area += ring[i][0] * ring[i + 1][1] - ring[i + 1][0] * ring[i][1];
   assert.ok(area > 0);
@@ -39,29 +67,58 @@ interface Plan {
 
 test("in a .plan lines and points are one route, drawn areas fences to stay in", () => {
   const plan = JSON.parse(toPlan(features, frame, 80)) as Plan;
-  const expected = [[0, 0], [50, 80], [-20, 30]];
+  const expected = [
+    [0, 0],
+    [50, 80],
+    [-20, 30],
+  ];
   assert.equal(plan.mission.items.length, 3);
   plan.mission.items.forEach(({ params }, i) => {
     const { north_m, east_m } = frame.toLocal({ latitude_deg: params[4], longitude_deg: params[5] });
     assert.ok(Math.hypot(north_m - expected[i][0], east_m - expected[i][1]) < 0.01);
     assert.equal(params[6], 80);
   });
-  assert.deepEqual(plan.geoFence.polygons.map(({ inclusion }) => inclusion), [true]);
+  assert.deepEqual(
+    plan.geoFence.polygons.map(({ inclusion }) => inclusion),
+    [true],
+  );
 });
 
 test("what a .plan says something is for stays so", () => {
-  const square: [number, number][] = [[0, 0], [100, 0], [100, 100], [0, 100]];
+  const square: [number, number][] = [
+    [0, 0],
+    [100, 0],
+    [100, 100],
+    [0, 100],
+  ];
   const loaded = fromServer([
     { name: "survey", purpose: "survey", kind: "area", rings: [square], radius_m: null },
-    { name: "route", purpose: "route", kind: "line", rings: [[[0, 0], [50, 0]]], radius_m: null },
+    {
+      name: "route",
+      purpose: "route",
+      kind: "line",
+      rings: [
+        [
+          [0, 0],
+          [50, 0],
+        ],
+      ],
+      radius_m: null,
+    },
     { name: "fence", purpose: "inclusion", kind: "area", rings: [square], radius_m: null },
     { name: "fence", purpose: "exclusion", kind: "area", rings: [square], radius_m: null },
     { name: "fence", purpose: "exclusion", kind: "circle", rings: [[[10, 20]]], radius_m: 40 },
     { name: "rally point", purpose: "rally", kind: "point", rings: [[[0, 150]]], radius_m: null },
   ]);
   const plan = JSON.parse(toPlan(loaded, frame, 80)) as Plan;
-  assert.deepEqual(plan.geoFence.polygons.map(({ inclusion }) => inclusion), [true, false]);
-  assert.deepEqual(plan.geoFence.circles.map(({ inclusion, circle }) => [inclusion, circle.radius]), [[false, 40]]);
+  assert.deepEqual(
+    plan.geoFence.polygons.map(({ inclusion }) => inclusion),
+    [true, false],
+  );
+  assert.deepEqual(
+    plan.geoFence.circles.map(({ inclusion, circle }) => [inclusion, circle.radius]),
+    [[false, 40]],
+  );
   assert.equal(plan.mission.items.length, 2);
   assert.equal(plan.rallyPoints.points.length, 1);
   assert.equal(leftOutOfPlan(loaded), 1);

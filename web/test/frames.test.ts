@@ -6,7 +6,12 @@ import { Frame, latitudeOfMercator, mercatorY, mgrsText, toUtm } from "../common
 const frame = new Frame({ latitude_deg: 36.6, longitude_deg: -121.6, height_m: 25 });
 
 test("places come back through latitude and longitude", () => {
-  for (const [north, east] of [[0, 0], [5000, -3000], [-12000, 9000], [1, 1]]) {
+  for (const [north, east] of [
+    [0, 0],
+    [5000, -3000],
+    [-12000, 9000],
+    [1, 1],
+  ]) {
     const [lng, lat] = frame.toLngLat(north, east);
     const { north_m, east_m } = frame.toLocal({ latitude_deg: lat, longitude_deg: lng });
     // toLngLat stays on the tangent plane, toLocal looks up the same point: a micrometre of rounding.
@@ -16,10 +21,11 @@ test("places come back through latitude and longitude", () => {
 
 test("a kilometre north is a kilometre along the meridian", () => {
   // Radius of curvature of the meridian at 36.6 degrees and 25 m: M + h.
-  const s = Math.sin((36.6 * Math.PI) / 180), e2 = 0.00669437999014;
+  const s = Math.sin((36.6 * Math.PI) / 180),
+    e2 = 0.00669437999014;
   const radius = (6378137 * (1 - e2)) / Math.pow(1 - e2 * s * s, 1.5) + 25;
   const { latitude_deg } = frame.toLatLon(1000, 0);
-  assert.ok(Math.abs(((latitude_deg - 36.6) * Math.PI) / 180 * radius - 1000) < 1e-3); // the radius itself changes by 5 m on the way
+  assert.ok(Math.abs((((latitude_deg - 36.6) * Math.PI) / 180) * radius - 1000) < 1e-3); // the radius itself changes by 5 m on the way
 });
 
 test("the plane of the map is Mercator about the origin", () => {
@@ -42,10 +48,15 @@ test("UTM on the central meridian is the scaled meridian arc", () => {
 
 test("UTM off the meridian: finite differences are conformal with scale about 0.9996", () => {
   const at = (lat: number, lng: number) => toUtm({ latitude_deg: lat, longitude_deg: lng })!;
-  const d = 1e-5, lat = 36.6, lng = -121.6;
+  const d = 1e-5,
+    lat = 36.6,
+    lng = -121.6;
   const [n1, n0, e1, e0] = [at(lat + d, lng), at(lat - d, lng), at(lat, lng + d), at(lat, lng - d)];
-  const s = Math.sin((lat * Math.PI) / 180), e2 = 0.00669437999014, w = Math.sqrt(1 - e2 * s * s);
-  const m = ((6378137 * (1 - e2)) / (w * w * w)) * ((2 * d * Math.PI) / 180), n = (6378137 / w) * Math.cos((lat * Math.PI) / 180) * ((2 * d * Math.PI) / 180);
+  const s = Math.sin((lat * Math.PI) / 180),
+    e2 = 0.00669437999014,
+    w = Math.sqrt(1 - e2 * s * s);
+  const m = ((6378137 * (1 - e2)) / (w * w * w)) * ((2 * d * Math.PI) / 180),
+    n = (6378137 / w) * Math.cos((lat * Math.PI) / 180) * ((2 * d * Math.PI) / 180);
   const kNorth = Math.hypot(n1.easting_m - n0.easting_m, n1.northing_m - n0.northing_m) / m;
   const kEast = Math.hypot(e1.easting_m - e0.easting_m, e1.northing_m - e0.northing_m) / n;
   assert.ok(Math.abs(kNorth - kEast) < 1e-6, `${kNorth} ${kEast}`);

@@ -7,12 +7,16 @@ const kBand95 = 1.96;
 
 /** Signed distance of a place to rings [m], negative inside, and the sigma of the nearest edge [m]. */
 export function distanceToRings(rings: BoundaryPoint[][], north: number, east: number): { distance: number; sigma: number } {
-  let least = Infinity, sigma = 0, inside = false;
+  let least = Infinity,
+    sigma = 0,
+    inside = false;
   for (const ring of rings)
     for (let i = 0, j = ring.length - 1; i < ring.length; j = i++) {
       const [an, ae, bn, be] = [ring[j].north_m ?? 0, ring[j].east_m ?? 0, ring[i].north_m ?? 0, ring[i].east_m ?? 0];
       if (an > north !== bn > north && east < ((be - ae) * (north - an)) / (bn - an) + ae) inside = !inside;
-      const dn = bn - an, de = be - ae, square = dn * dn + de * de;
+      const dn = bn - an,
+        de = be - ae,
+        square = dn * dn + de * de;
       const f = square > 0 ? Math.max(0, Math.min(1, ((north - an) * dn + (east - ae) * de) / square)) : 0;
       const d = Math.hypot(an + f * dn - north, ae + f * de - east);
       if (d < least) {

@@ -9,12 +9,44 @@ import { T } from "../texts";
 import { iconAtlas, kIconKinds, kRealities } from "./icons";
 import type { Labels } from "./labels";
 import type { Projector } from "./projector";
-import { kIconFragment, kIconVertex, kLabelFragment, kLabelVertex, kPlainFragment, kRingFragment, kRingVertex, kStalkVertex, kTailFragment, kTailVertex, kTexels } from "./air_shaders";
+import {
+  kIconFragment,
+  kIconVertex,
+  kLabelFragment,
+  kLabelVertex,
+  kPlainFragment,
+  kRingFragment,
+  kRingVertex,
+  kStalkVertex,
+  kTailFragment,
+  kTailVertex,
+  kTexels,
+} from "./air_shaders";
 
 type Program = { program: WebGLProgram; at: Record<string, WebGLUniformLocation | null> };
 
-const kUniforms = ["u_matrix", "u_size", "u_time", "u_flat", "u_icon", "u_old", "u_columns", "u_rows", "u_tints", "u_edge",
-  "u_grey", "u_ghost", "u_atlas", "u_colour", "u_seconds", "u_width", "u_points", "u_texture", "u_motion", "u_tails"];
+const kUniforms = [
+  "u_matrix",
+  "u_size",
+  "u_time",
+  "u_flat",
+  "u_icon",
+  "u_old",
+  "u_columns",
+  "u_rows",
+  "u_tints",
+  "u_edge",
+  "u_grey",
+  "u_ghost",
+  "u_atlas",
+  "u_colour",
+  "u_seconds",
+  "u_width",
+  "u_points",
+  "u_texture",
+  "u_motion",
+  "u_tails",
+];
 
 function rgb(colour: string, out: Float32Array, at: number): void {
   const hex = /^#([0-9a-f]{6})$/i.exec(colour);
@@ -25,10 +57,16 @@ function rgb(colour: string, out: Float32Array, at: number): void {
 }
 
 /** Numbers of tints: eight colours of aircraft, then warned and plain. */
-export const kTintWarned = 8, kTintPlain = 9;
+export const kTintWarned = 8,
+  kTintPlain = 9;
 
 /** Units of textures. */
-const kAtlasUnit = 0, kLabelUnit = 1, kFleetUnit = 2, kGhostUnit = 3, kTailUnit = 4, kInstanceUnit = 5;
+const kAtlasUnit = 0,
+  kLabelUnit = 1,
+  kFleetUnit = 2,
+  kGhostUnit = 3,
+  kTailUnit = 4,
+  kInstanceUnit = 5;
 
 /** Rows of floats on the graphics card. */
 class Floats {
@@ -36,7 +74,10 @@ class Floats {
   private height = 0;
   private readonly texture: WebGLTexture;
 
-  constructor(private readonly gl: WebGL2RenderingContext, readonly unit: number) {
+  constructor(
+    private readonly gl: WebGL2RenderingContext,
+    readonly unit: number,
+  ) {
     this.texture = gl.createTexture()!;
     this.bind();
     for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
@@ -49,7 +90,9 @@ class Floats {
 
   /** Uploads the first `texels` of the data, whose length fills whole rows. */
   upload(data: Float32Array, texels: number): void {
-    const gl = this.gl, height = data.length / (4 * kTexels), rows = Math.min(height, Math.ceil(texels / kTexels));
+    const gl = this.gl,
+      height = data.length / (4 * kTexels),
+      rows = Math.min(height, Math.ceil(texels / kTexels));
     this.bind();
     if (this.height !== height) {
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, kTexels, height, 0, gl.RGBA, gl.FLOAT, data);
@@ -82,24 +125,33 @@ export class AirLayer {
   showRings = true;
   oldAfter = 5; // [s]
 
-  constructor(canvas: HTMLCanvasElement, private readonly labels: Labels) {
+  constructor(
+    canvas: HTMLCanvasElement,
+    private readonly labels: Labels,
+  ) {
     this.canvas = canvas;
     const gl = canvas.getContext("webgl2", { alpha: true, premultipliedAlpha: true, antialias: false, depth: false, stencil: false });
     if (!gl) throw new Error(T.map.noWebgl);
     this.gl = gl;
-    canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); this.ready = false; });
+    canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      this.ready = false;
+    });
     canvas.addEventListener("webglcontextrestored", () => this.prepare());
     this.prepare();
   }
 
   private program(vertex: string, fragment: string): Program {
-    const gl = this.gl, program = gl.createProgram()!;
-    for (const [type, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]] as const) {
+    const gl = this.gl,
+      program = gl.createProgram()!;
+    for (const [type, source] of [
+      [gl.VERTEX_SHADER, vertex],
+      [gl.FRAGMENT_SHADER, fragment],
+    ] as const) {
       const shader = gl.createShader(type)!;
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost())
-        throw new Error(gl.getShaderInfoLog(shader) ?? "a shader");
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost()) throw new Error(gl.getShaderInfoLog(shader) ?? "a shader");
       gl.attachShader(program, shader);
     }
     gl.linkProgram(program);
@@ -109,8 +161,10 @@ export class AirLayer {
   private prepare(): void {
     const gl = this.gl;
     this.programs = {
-      icon: this.program(kIconVertex, kIconFragment), ring: this.program(kRingVertex, kRingFragment),
-      stalk: this.program(kStalkVertex, kPlainFragment), tail: this.program(kTailVertex, kTailFragment),
+      icon: this.program(kIconVertex, kIconFragment),
+      ring: this.program(kRingVertex, kRingFragment),
+      stalk: this.program(kStalkVertex, kPlainFragment),
+      tail: this.program(kTailVertex, kTailFragment),
       label: this.program(kLabelVertex, kLabelFragment),
     };
     this.fleet = new Floats(gl, kFleetUnit);
@@ -180,7 +234,9 @@ export class AirLayer {
   }
 
   private drawLabels(fleet: Fleet, camera: Projector, time: number): void {
-    const gl = this.gl, { labels } = this, { label } = this.programs;
+    const gl = this.gl,
+      { labels } = this,
+      { label } = this.programs;
     if (labels.count === 0) return;
     if (labels.refresh(fleet)) this.instances.upload(labels.instances, 4 * labels.count);
     this.use(label, camera, time);
@@ -201,7 +257,8 @@ export class AirLayer {
   }
 
   private icons(from: Floats, fleet: Fleet, camera: Projector, time: number, ghost: boolean): void {
-    const gl = this.gl, { icon } = this.programs;
+    const gl = this.gl,
+      { icon } = this.programs;
     this.use(icon, camera, time - fleet.epoch);
     gl.uniform1f(icon.at.u_icon, fleet.count > 200 ? 11 : fleet.count > 40 ? 15 : 19);
     gl.uniform1f(icon.at.u_old, ghost ? -1e9 : time - fleet.epoch - this.oldAfter);
@@ -225,7 +282,8 @@ export class AirLayer {
   }
 
   private drawTails(fleet: Fleet, camera: Projector, now: number): void {
-    const gl = this.gl, { tail } = this.programs;
+    const gl = this.gl,
+      { tail } = this.programs;
     this.uploadTails(fleet);
     this.use(tail, camera, now);
     gl.uniform1f(tail.at.u_seconds, this.seconds);

@@ -17,14 +17,33 @@ const kDetectionShown = 300; // fades over this time [s]
 function drawGrid(c: CanvasRenderingContext2D, v: FieldView, grid: NonNullable<FieldView["grid"]>): void {
   const power = Math.pow(10, Math.floor(Math.log10(110 / v.camera.scale)));
   const step = ([1, 2, 5].find((k) => k * power * v.camera.scale >= 80) ?? 10) * power;
-  const n = Math.min(60, Math.ceil(grid.half_m / step)), north = Math.round(grid.north_m / step) * step, east = Math.round(grid.east_m / step) * step, reach = n * step;
+  const n = Math.min(60, Math.ceil(grid.half_m / step)),
+    north = Math.round(grid.north_m / step) * step,
+    east = Math.round(grid.east_m / step) * step,
+    reach = n * step;
   c.strokeStyle = v.theme.muted;
   c.globalAlpha = 0.3;
   c.lineWidth = 1;
   c.beginPath();
   for (let k = -n; k <= n; ++k) {
-    trace(c, v.camera, v.shaper.points([[north - reach, east + k * step], [north + reach, east + k * step]]), false);
-    trace(c, v.camera, v.shaper.points([[north + k * step, east - reach], [north + k * step, east + reach]]), false);
+    trace(
+      c,
+      v.camera,
+      v.shaper.points([
+        [north - reach, east + k * step],
+        [north + reach, east + k * step],
+      ]),
+      false,
+    );
+    trace(
+      c,
+      v.camera,
+      v.shaper.points([
+        [north + k * step, east - reach],
+        [north + k * step, east + reach],
+      ]),
+      false,
+    );
   }
   c.stroke();
   c.globalAlpha = 1;
@@ -63,7 +82,8 @@ function drawObjects(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes): v
   }
   c.globalAlpha = 1;
   for (const [id, motion] of world.objectMotions) {
-    const dt = v.time - motion.time_s, known = world.objectBeliefs.has(id) || world.found.has(id);
+    const dt = v.time - motion.time_s,
+      known = world.objectBeliefs.has(id) || world.found.has(id);
     if (!spot(v, (motion.north_m ?? 0) + dt * (motion.velocity_north_mps ?? 0), (motion.east_m ?? 0) + dt * (motion.velocity_east_mps ?? 0))) continue;
     const { x, y } = v.camera;
     c.fillStyle = known ? theme.found : theme.paper;
@@ -89,13 +109,15 @@ function drawObjects(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes): v
     c.lineTo(x + 10, y - 10);
     c.lineTo(x, y - 6);
     c.stroke();
-    if (v.layers.names) put(c, v, boxes, T.map.fireIn(arrival.place, arrival.middle_s == null ? null : Math.round((arrival.middle_s - v.time) / 60)), x, y - 8, theme.ink);
+    if (v.layers.names)
+      put(c, v, boxes, T.map.fireIn(arrival.place, arrival.middle_s == null ? null : Math.round((arrival.middle_s - v.time) / 60)), x, y - 8, theme.ink);
   }
 }
 
 function drawZoneNames(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes): void {
   for (const zone of v.world.zonesAt(v.time)) {
-    let north = 0, east = 0;
+    let north = 0,
+      east = 0;
     if (zone.area.kind === "disc") {
       north = zone.area.centre_north_m ?? 0;
       east = zone.area.centre_east_m ?? 0;
@@ -109,7 +131,8 @@ function drawZoneNames(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes):
     }
     if (!spot(v, north, east)) continue;
     c.font = kFont;
-    const width = c.measureText(zone.name).width, { x, y } = v.camera;
+    const width = c.measureText(zone.name).width,
+      { x, y } = v.camera;
     boxes.add(x - width / 2 - 3, y - 9, width + 6, 16);
     writeLabel(c, zone.name, x - width / 2, y + 4, v.theme.zone, v.theme.paper);
   }

@@ -29,8 +29,7 @@ export class Boxes {
   }
   free(x: number, y: number, width: number, height: number): boolean {
     const t = this.taken;
-    for (let i = 0; i < t.length; i += 4)
-      if (x < t[i + 2] && t[i] < x + width && y < t[i + 3] && t[i + 1] < y + height) return false;
+    for (let i = 0; i < t.length; i += 4) if (x < t[i + 2] && t[i] < x + width && y < t[i + 3] && t[i + 1] < y + height) return false;
     return true;
   }
   add(x: number, y: number, width: number, height: number): void {
@@ -62,7 +61,12 @@ export function spot(v: FieldView, north: number | null, east: number | null): b
 export function put(c: CanvasRenderingContext2D, v: FieldView, boxes: Boxes, text: string, x: number, y: number, colour: string): void {
   c.font = kFont;
   const width = c.measureText(text).width;
-  for (const [dx, dy] of [[11, 4], [-11 - width, 4], [-width / 2, -12], [-width / 2, 20]]) {
+  for (const [dx, dy] of [
+    [11, 4],
+    [-11 - width, 4],
+    [-width / 2, -12],
+    [-width / 2, 20],
+  ]) {
     if (!boxes.free(x + dx - 3, y + dy - 12, width + 6, 16)) continue;
     boxes.add(x + dx - 3, y + dy - 12, width + 6, 16);
     writeLabel(c, text, x + dx, y + dy, colour, v.theme.paper);

@@ -6,7 +6,8 @@ import { put, spot, type Boxes, type FieldView } from "./field_view";
 import type { Projector } from "./projector";
 import { trace, traceBand, type Points } from "./shapes";
 
-const kCrossingShown = 300, kReadingShown = 60; // they fade over this time [s]
+const kCrossingShown = 300,
+  kReadingShown = 60; // they fade over this time [s]
 const kAges = 12; // of marks that fade: each is drawn at once
 
 let hatch: { dark: boolean; pattern: CanvasPattern | null } | null = null;
@@ -58,7 +59,8 @@ export function drawForecasts(c: CanvasRenderingContext2D, v: FieldView, boxes: 
         c.globalAlpha = 1;
         if (!v.layers.names) continue;
         // Where the ring is farthest to the right: labels of several horizons stand beside each other.
-        let bx = -Infinity, by = 0;
+        let bx = -Infinity,
+          by = 0;
         for (let i = 0; i < band.middle.length; i += 3)
           if (v.camera.project(band.middle[i], band.middle[i + 1], band.middle[i + 2]) && v.camera.x > bx && v.camera.x < v.camera.width - 90) {
             bx = v.camera.x;
@@ -73,7 +75,8 @@ export function drawForecasts(c: CanvasRenderingContext2D, v: FieldView, boxes: 
 function roomFor(camera: Projector, ring: Points): number {
   if (ring.length < 6 || !camera.project(ring[0], ring[1], ring[2])) return 1;
   const { x, y } = camera;
-  let length = 0, far = 0;
+  let length = 0,
+    far = 0;
   for (let i = 3; i < Math.min(ring.length, 36); i += 3)
     if (camera.project(ring[i], ring[i + 1], ring[i + 2])) {
       far = Math.max(far, Math.hypot(camera.x - x, camera.y - y));
@@ -141,8 +144,14 @@ export function drawFire(c: CanvasRenderingContext2D, v: FieldView): void {
 }
 
 /** Marks that fade: each added to a path, and the path painted, with how fresh its marks are. */
-function drawFading(c: CanvasRenderingContext2D, v: FieldView, marks: readonly { time_s: number; north_m: number | null; east_m: number | null }[], shown: number,
-  add: (x: number, y: number) => void, paint: (freshness: number) => void): void {
+function drawFading(
+  c: CanvasRenderingContext2D,
+  v: FieldView,
+  marks: readonly { time_s: number; north_m: number | null; east_m: number | null }[],
+  shown: number,
+  add: (x: number, y: number) => void,
+  paint: (freshness: number) => void,
+): void {
   const ages: number[][] = Array.from({ length: kAges }, () => []);
   for (const { time_s, north_m, east_m } of marks) {
     const age = (v.time - time_s) / shown;
@@ -165,25 +174,39 @@ export function drawReadings(c: CanvasRenderingContext2D, v: FieldView): void {
       // Inside: filled; outside: hollow.
       c.fillStyle = side ? theme.truth : theme.paper;
       c.strokeStyle = side ? theme.truth : theme.ink;
-      drawFading(c, v, world.readings.filter(({ inside }) => inside === side), kReadingShown, (x, y) => {
-        c.moveTo(x + 2.4, y);
-        c.arc(x, y, 2.4, 0, 7);
-      }, (freshness) => {
-        c.globalAlpha = 0.9 * freshness;
-        c.fill();
-        c.stroke();
-      });
+      drawFading(
+        c,
+        v,
+        world.readings.filter(({ inside }) => inside === side),
+        kReadingShown,
+        (x, y) => {
+          c.moveTo(x + 2.4, y);
+          c.arc(x, y, 2.4, 0, 7);
+        },
+        (freshness) => {
+          c.globalAlpha = 0.9 * freshness;
+          c.fill();
+          c.stroke();
+        },
+      );
     }
   if (!v.layers.crossings) return;
   c.strokeStyle = theme.crossing;
-  drawFading(c, v, world.crossings, kCrossingShown, (x, y) => {
-    const r = 3;
-    c.moveTo(x - r, y - r);
-    c.lineTo(x + r, y + r);
-    c.moveTo(x - r, y + r);
-    c.lineTo(x + r, y - r);
-  }, (freshness) => {
-    c.globalAlpha = 0.1 + 0.7 * freshness;
-    c.stroke();
-  });
+  drawFading(
+    c,
+    v,
+    world.crossings,
+    kCrossingShown,
+    (x, y) => {
+      const r = 3;
+      c.moveTo(x - r, y - r);
+      c.lineTo(x + r, y + r);
+      c.moveTo(x - r, y + r);
+      c.lineTo(x + r, y - r);
+    },
+    (freshness) => {
+      c.globalAlpha = 0.1 + 0.7 * freshness;
+      c.stroke();
+    },
+  );
 }

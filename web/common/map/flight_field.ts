@@ -16,8 +16,12 @@ export function drawFootprints(c: CanvasRenderingContext2D, v: FieldView): void 
     if (age > 10 || age < -1) continue;
     c.globalAlpha = 0.9 - 0.07 * Math.max(0, age);
     c.beginPath();
-    const corners = [[f.corner_1_north_m, f.corner_1_east_m], [f.corner_2_north_m, f.corner_2_east_m],
-      [f.corner_3_north_m, f.corner_3_east_m], [f.corner_4_north_m, f.corner_4_east_m]];
+    const corners = [
+      [f.corner_1_north_m, f.corner_1_east_m],
+      [f.corner_2_north_m, f.corner_2_east_m],
+      [f.corner_3_north_m, f.corner_3_east_m],
+      [f.corner_4_north_m, f.corner_4_east_m],
+    ];
     corners.forEach(([north, east], k) => {
       if (!spot(v, north, east)) return;
       if (k === 0) c.moveTo(v.camera.x, v.camera.y);
@@ -43,7 +47,8 @@ function pointsOf(what: Record<string, unknown>): [number, number][] {
 
 /** All of the way that aircraft have come. */
 export function drawTracks(c: CanvasRenderingContext2D, v: FieldView): void {
-  const { fleet } = v.world, many = fleet.count > kMany;
+  const { fleet } = v.world,
+    many = fleet.count > kMany;
   c.lineWidth = many ? 0.8 : 1.3;
   c.lineJoin = "round";
   c.globalAlpha = many ? 0.4 : 0.65;
@@ -77,7 +82,8 @@ export function drawRecommended(c: CanvasRenderingContext2D, v: FieldView): void
 export function drawTasks(c: CanvasRenderingContext2D, v: FieldView): void {
   const { fleet, frame, tasks } = v.world;
   for (const { entity_id, what } of tasks.values()) {
-    const chosen = v.selected.has(entity_id), row = fleet.row(entity_id);
+    const chosen = v.selected.has(entity_id),
+      row = fleet.row(entity_id);
     if (row < 0 || (fleet.count > kMany && !chosen)) continue;
     const places = pointsOf(what as unknown as Record<string, unknown>);
     if (places.length === 0) continue;
@@ -113,8 +119,10 @@ export function drawTraffic(c: CanvasRenderingContext2D, v: FieldView, boxes: Bo
   for (const [key, track] of world.trafficTracks) {
     const dt = v.time - track.time_s;
     if (dt > kTrackShown + world.gap || track.north_m == null || track.east_m == null) continue;
-    const north = track.north_m + dt * (track.velocity_north_mps ?? 0), east = track.east_m + dt * (track.velocity_east_mps ?? 0);
-    const alert = levels.get(key), colour = alert ? alertColour(alert.region, theme) : theme.traffic;
+    const north = track.north_m + dt * (track.velocity_north_mps ?? 0),
+      east = track.east_m + dt * (track.velocity_east_mps ?? 0);
+    const alert = levels.get(key),
+      colour = alert ? alertColour(alert.region, theme) : theme.traffic;
     c.strokeStyle = colour;
     c.lineWidth = alert ? 2.4 : 1.2;
     c.beginPath();
@@ -127,7 +135,7 @@ export function drawTraffic(c: CanvasRenderingContext2D, v: FieldView, boxes: Bo
     if (spot(v, north + 10 * (track.velocity_north_mps ?? 0), east + 10 * (track.velocity_east_mps ?? 0))) c.lineTo(camera.x, camera.y);
     c.stroke();
     diamond(c, x, y, colour, alert ? colour : theme.paper);
-    if (v.layers.names) put(c, v, boxes, T.map.trackOf(world.name(track.believer_id), alert ? T.alertRegion[alert.region] ?? "" : ""), x, y, colour);
+    if (v.layers.names) put(c, v, boxes, T.map.trackOf(world.name(track.believer_id), alert ? (T.alertRegion[alert.region] ?? "") : ""), x, y, colour);
   }
   if (!v.layers.truth) return;
   for (const [id, motion] of world.trafficMotions) {

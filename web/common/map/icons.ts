@@ -34,7 +34,12 @@ const wing: Draw = (c) => {
 
 const rotor: Draw = (c) => {
   c.beginPath();
-  for (const [x, y] of [[-17, -17], [17, -17], [17, 17], [-17, 17]]) {
+  for (const [x, y] of [
+    [-17, -17],
+    [17, -17],
+    [17, 17],
+    [-17, 17],
+  ]) {
     c.moveTo(x + 10, y);
     c.arc(x, y, 10, 0, 7);
   }
@@ -67,29 +72,31 @@ export function iconAtlas(): HTMLCanvasElement {
   canvas.height = kCell * kRealities.length;
   const c = canvas.getContext("2d")!;
   c.globalCompositeOperation = "lighter";
-  kRealities.forEach((reality, row) => [wing, rotor, station, arrow].forEach((shape, column) => {
-    c.save();
-    c.translate((column + 0.5) * kCell, (row + 0.5) * kCell);
-    c.lineJoin = "round";
-    shape(c);
-    c.strokeStyle = "#00ff00";
-    c.lineWidth = 9;
-    c.stroke();
-    c.fillStyle = "#ff0000";
-    c.fill();
-    c.strokeStyle = "#0000ff";
-    c.lineWidth = 4;
-    if (reality === "real") {
-      c.beginPath();
-      c.arc(0, 0, 42, 0, 7);
+  kRealities.forEach((reality, row) =>
+    [wing, rotor, station, arrow].forEach((shape, column) => {
+      c.save();
+      c.translate((column + 0.5) * kCell, (row + 0.5) * kCell);
+      c.lineJoin = "round";
+      shape(c);
+      c.strokeStyle = "#00ff00";
+      c.lineWidth = 9;
       c.stroke();
-    } else if (reality === "outside simulator") {
-      c.setLineDash([11, 8]);
-      c.beginPath();
-      c.arc(0, 0, 42, 0, 7);
-      c.stroke();
-    }
-    c.restore();
-  }));
+      c.fillStyle = "#ff0000";
+      c.fill();
+      c.strokeStyle = "#0000ff";
+      c.lineWidth = 4;
+      if (reality === "real") {
+        c.beginPath();
+        c.arc(0, 0, 42, 0, 7);
+        c.stroke();
+      } else if (reality === "outside simulator") {
+        c.setLineDash([11, 8]);
+        c.beginPath();
+        c.arc(0, 0, 42, 0, 7);
+        c.stroke();
+      }
+      c.restore();
+    }),
+  );
   return canvas;
 }

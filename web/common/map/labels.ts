@@ -8,11 +8,15 @@ import { kBefore, kMotion, kNow, type Fleet } from "../fleet";
 import type { Boxes } from "./field_view";
 import type { Projector } from "./projector";
 
-const kSlotWide = 204, kSlotHigh = 50, kColumns = 5, kRows = 15; // [CSS px]
+const kSlotWide = 204,
+  kSlotHigh = 50,
+  kColumns = 5,
+  kRows = 15; // [CSS px]
 const kMost = kColumns * kRows - 1; // the last slot is the ring of who is chosen
 const kName = "600 12px system-ui, 'Segoe UI', Roboto, sans-serif";
 const kLine = "11px system-ui, 'Segoe UI', Roboto, sans-serif";
-const kPad = 4, kHigh = 15;
+const kPad = 4,
+  kHigh = 15;
 const kCrowd = 150; // aircraft that are seen
 const kInstance = 16; // floats: before, now, rectangle on the screen, place in the texture
 const kRing = 50; // width of the ring's picture
@@ -82,7 +86,10 @@ export class Labels {
     if (this.ringTheme === theme.ink) return;
     this.ringTheme = theme.ink;
     const c = this.begin();
-    for (const [colour, width] of [[theme.paper, 4.5], [theme.ink, 2]] as const) {
+    for (const [colour, width] of [
+      [theme.paper, 4.5],
+      [theme.ink, 2],
+    ] as const) {
       c.strokeStyle = colour;
       c.lineWidth = width;
       c.beginPath();
@@ -110,7 +117,8 @@ export class Labels {
     if (this.fresh <= 0 && !chosen) return slot.key === "" ? -1 : index;
     --this.fresh;
     slot.key = key;
-    const c = this.begin(), most = kSlotWide - 2 * kPad - 2;
+    const c = this.begin(),
+      most = kSlotWide - 2 * kPad - 2;
     c.font = kName;
     const nameWide = Math.min(c.measureText(name).width, most - 16);
     c.font = kLine;
@@ -142,13 +150,13 @@ export class Labels {
 
   private free(x: number, y: number, w: number, h: number): boolean {
     const t = this.taken;
-    for (let i = 0; i < t.length; i += 4)
-      if (x < t[i + 2] && t[i] < x + w && y < t[i + 3] && t[i + 1] < y + h) return false;
+    for (let i = 0; i < t.length; i += 4) if (x < t[i + 2] && t[i] < x + w && y < t[i + 3] && t[i + 1] < y + h) return false;
     return true;
   }
 
   private add(row: number, dx: number, dy: number, width: number, height: number, slot: number): void {
-    const at = this.count * kInstance + 8, out = this.instances;
+    const at = this.count * kInstance + 8,
+      out = this.instances;
     out[at] = dx;
     out[at + 1] = dy;
     out[at + 2] = width;
@@ -164,8 +172,16 @@ export class Labels {
   }
 
   /** Chooses which labels stand where: the chosen and the warned first, then as many as fit. */
-  place(fleet: Fleet, camera: Projector, time: number, selected: ReadonlySet<number>, text: ((row: number) => LabelText) | null,
-    theme: Theme, warnedColour: string, others: Boxes): void {
+  place(
+    fleet: Fleet,
+    camera: Projector,
+    time: number,
+    selected: ReadonlySet<number>,
+    text: ((row: number) => LabelText) | null,
+    theme: Theme,
+    warnedColour: string,
+    others: Boxes,
+  ): void {
     this.count = 0;
     this.taken.length = 0;
     this.copied = -1;
@@ -176,15 +192,19 @@ export class Labels {
       if (row >= 0 && this.count < 64) this.add(row, -kRing / 2, -kRing / 2, kRing, kRing, kMost);
     }
     if (!text) return;
-    const rings = this.count, many = fleet.count > 60;
-    const order: number[] = [], later: number[] = [], before = this.shown;
+    const rings = this.count,
+      many = fleet.count > 60;
+    const order: number[] = [],
+      later: number[] = [],
+      before = this.shown;
     this.shown = new Set();
     this.fresh = many ? 6 : kMost;
     for (let row = 0; row < fleet.count; ++row) {
       if (!this.locate(fleet, camera, time, row)) continue;
       if (selected.has(fleet.ids[row])) order.unshift(row);
       else if (fleet.get(row, "failsafe") > 0) order.push(row);
-      else if (before.has(row)) later.unshift(row); // labels that stand stay
+      else if (before.has(row))
+        later.unshift(row); // labels that stand stay
       else if (later.length < 400) later.push(row);
       if (!many) this.taken.push(camera.x - 9, camera.y - 9, camera.x + 9, camera.y + 9); // no label on an aircraft
     }
@@ -194,12 +214,20 @@ export class Labels {
       if (this.count - rings >= (many ? 40 : kMost)) break;
       const chosen = selected.has(fleet.ids[row]);
       this.locate(fleet, camera, time, row);
-      const { x, y } = camera, label = text(row);
+      const { x, y } = camera,
+        label = text(row);
       if (many && !chosen) label.line = "";
       const index = this.slot(row, label, theme, warnedColour, chosen);
       if (index < 0) continue;
       const { width, height } = this.slots[index];
-      for (const [dx, dy] of [[15, -height - 6], [15, 8], [-width - 15, -height - 6], [-width - 15, 8], [-width / 2, 18], [-width / 2, -height - 18]]) {
+      for (const [dx, dy] of [
+        [15, -height - 6],
+        [15, 8],
+        [-width - 15, -height - 6],
+        [-width - 15, 8],
+        [-width / 2, 18],
+        [-width / 2, -height - 18],
+      ]) {
         if (!chosen && !(this.free(x + dx, y + dy, width, height) && others.free(x + dx, y + dy, width, height))) continue;
         this.taken.push(x + dx, y + dy, x + dx + width, y + dy + height);
         this.slots[index].used = this.placement;
@@ -215,7 +243,8 @@ export class Labels {
     if (this.copied === fleet.version) return false;
     this.copied = fleet.version;
     for (let i = 0; i < this.count; ++i) {
-      const from = this.rows[i] * kMotion, at = i * kInstance;
+      const from = this.rows[i] * kMotion,
+        at = i * kInstance;
       for (let k = 0; k < 4; ++k) {
         this.instances[at + k] = fleet.motion[from + kBefore + k];
         this.instances[at + 4 + k] = fleet.motion[from + kNow + k];

@@ -73,26 +73,44 @@ export class MapView {
   private fresh = true;
   private fitted = false;
 
-  constructor(private readonly run: RunDescription, private readonly world: World, readonly terrain: Terrain | null,
-    private readonly settings: Settings) {
+  constructor(
+    private readonly run: RunDescription,
+    private readonly world: World,
+    readonly terrain: Terrain | null,
+    private readonly settings: Settings,
+  ) {
     const holder = h("div", { class: "map-gl" });
     const canvas = (name: string) => h("canvas", { class: `over ${name}`, "aria-hidden": "true" });
-    const field = canvas("field"), air = canvas("air");
+    const field = canvas("field"),
+      air = canvas("air");
     this.element = h("div", { class: "map-stack" }, holder, field, air);
     this.shaper = new Shaper(world.frame, (north, east) => terrain?.at(north, east) ?? 0);
     if (terrain) world.fleet.groundAt = (north, east) => terrain.at(north, east);
     terrain?.serve();
     this.map = new MapLibre({
-      container: holder, style: mapStyle(terrain, theme().dark, theme().zone), bounds: this.whole(), fitBoundsOptions: { padding: 12 },
-      attributionControl: false, maplibreLogo: false, fadeDuration: 0, maxPitch: 75, dragRotate: true, pitchWithRotate: true,
-      keyboard: true, doubleClickZoom: true, renderWorldCopies: false, validateStyle: false,
+      container: holder,
+      style: mapStyle(terrain, theme().dark, theme().zone),
+      bounds: this.whole(),
+      fitBoundsOptions: { padding: 12 },
+      attributionControl: false,
+      maplibreLogo: false,
+      fadeDuration: 0,
+      maxPitch: 75,
+      dragRotate: true,
+      pitchWithRotate: true,
+      keyboard: true,
+      doubleClickZoom: true,
+      renderWorldCopies: false,
+      validateStyle: false,
     });
     this.map.getCanvas().setAttribute("aria-label", T.map.label);
     this.map.getCanvas().setAttribute("role", "application");
     this.air = new AirLayer(air, this.labels);
     this.field = field.getContext("2d")!;
     const probe: CustomLayerInterface = {
-      id: "camera", type: "custom", renderingMode: "3d",
+      id: "camera",
+      type: "custom",
+      renderingMode: "3d",
       render: (_, { defaultProjectionData }) => {
         const frame = world.frame;
         this.camera.set(defaultProjectionData.mainMatrix as unknown as ArrayLike<number>, frame.mercatorX, frame.mercatorY, frame.mercatorPerMetre);
@@ -105,7 +123,9 @@ export class MapView {
       this.applyLayers();
       this.showImagery();
     });
-    this.map.on("render", () => { if (this.camera.version !== this.cameraShown) this.draw(performance.now() / 1000); });
+    this.map.on("render", () => {
+      if (this.camera.version !== this.cameraShown) this.draw(performance.now() / 1000);
+    });
     this.listen();
     const forgetTheme = onThemeChange(() => this.paint());
     const sizes = new ResizeObserver(() => this.resize());
@@ -150,7 +170,9 @@ export class MapView {
       else this.select([id]);
     });
     this.map.on("contextmenu", (event) => this.onContext(here(event)));
-    this.map.on("dragstart", () => { this.follow = false; });
+    this.map.on("dragstart", () => {
+      this.follow = false;
+    });
     this.map.on("move", () => {
       this.camera.bearing = (this.map.getBearing() * Math.PI) / 180;
       this.camera.pitch = (this.map.getPitch() * Math.PI) / 180;
@@ -164,8 +186,10 @@ export class MapView {
 
   /** The aircraft under a pixel; -1 where there is none. */
   pick(x: number, y: number): number {
-    const { fleet, play } = this.world, time = play.now(performance.now() / 1000);
-    let best = -1, least = 18 * 18;
+    const { fleet, play } = this.world,
+      time = play.now(performance.now() / 1000);
+    let best = -1,
+      least = 18 * 18;
     for (let row = 0; row < fleet.count; ++row) {
       fleet.pose(row, time, this.pose);
       if (!this.camera.project(this.pose[0], this.pose[1], this.pose[2])) continue;
@@ -229,7 +253,11 @@ export class MapView {
       this.map.setPaintProperty("relief", "hillshade-highlight-color", ground.light);
       this.map.setPaintProperty("relief", "hillshade-accent-color", ground.shadow);
     }
-    for (const [layer, property] of [["zones-fill", "fill-color"], ["zones-line", "line-color"], ["zones-walls", "fill-extrusion-color"]] as const)
+    for (const [layer, property] of [
+      ["zones-fill", "fill-color"],
+      ["zones-line", "line-color"],
+      ["zones-walls", "fill-extrusion-color"],
+    ] as const)
       this.map.setPaintProperty(layer, property, colours.zone);
   }
 
@@ -277,7 +305,9 @@ export class MapView {
 
   /** South-west and north-east of where things happen. */
   private whole(): [[number, number], [number, number]] {
-    const { centre, extent_m } = this.run, r = extent_m / 2, { frame } = this.world;
+    const { centre, extent_m } = this.run,
+      r = extent_m / 2,
+      { frame } = this.world;
     return [frame.toLngLat(centre.north_m - r, centre.east_m - r), frame.toLngLat(centre.north_m + r, centre.east_m + r)];
   }
 
@@ -290,8 +320,10 @@ export class MapView {
   // Around the middle of the map, where there is no relief.
   private grid() {
     if (this.terrain && this.settings.layers.terrain) return null;
-    const { lng, lat } = this.map.getCenter(), { north_m, east_m } = this.place(lng, lat);
-    const edge = this.map.unproject([0, this.camera.height / 2]), side = this.place(edge.lng, edge.lat);
+    const { lng, lat } = this.map.getCenter(),
+      { north_m, east_m } = this.place(lng, lat);
+    const edge = this.map.unproject([0, this.camera.height / 2]),
+      side = this.place(edge.lng, edge.lat);
     const half = Math.max(1, Math.hypot(side.north_m - north_m, side.east_m - east_m));
     this.camera.scale = this.camera.width / 2 / half;
     return { north_m, east_m, half_m: (this.is3d ? 3 : 1.5) * half };
@@ -320,20 +352,33 @@ export class MapView {
 
   private setZones(time: number): void {
     const source = this.map.getSource("zones") as GeoJSONSource | undefined;
-    const zones = this.world.zonesAt(time), shown = zones.map(({ time_s, name }) => `${time_s} ${name}`).join("|");
+    const zones = this.world.zonesAt(time),
+      shown = zones.map(({ time_s, name }) => `${time_s} ${name}`).join("|");
     if (!source || this.zonesShown === shown) return;
     this.zonesShown = shown;
     const features = zones.flatMap((zone) => {
       const { area } = zone;
-      const ring = area.kind === "ring" ? area.points : Array.from({ length: 64 }, (_, k): [number, number] => {
-        const a = (k * Math.PI) / 32;
-        return [(area.centre_north_m ?? 0) + (area.radius_m ?? 0) * Math.cos(a), (area.centre_east_m ?? 0) + (area.radius_m ?? 0) * Math.sin(a)];
-      });
+      const ring =
+        area.kind === "ring"
+          ? area.points
+          : Array.from({ length: 64 }, (_, k): [number, number] => {
+              const a = (k * Math.PI) / 32;
+              return [(area.centre_north_m ?? 0) + (area.radius_m ?? 0) * Math.cos(a), (area.centre_east_m ?? 0) + (area.radius_m ?? 0) * Math.sin(a)];
+            });
       if (ring.length < 3) return [];
       const coordinates = [...ring, ring[0]].map(([north, east]) => this.world.frame.toLngLat(north, east));
       const ground = this.terrain?.at(ring[0][0], ring[0][1]) ?? 0;
-      return [{ type: "Feature" as const, geometry: { type: "Polygon" as const, coordinates: [coordinates] }, properties: {
-        name: zone.name, base: Math.max(0, (zone.floor_msl_m ?? ground) - ground), top: Math.max(20, (zone.ceiling_msl_m ?? ground + 400) - ground) } }];
+      return [
+        {
+          type: "Feature" as const,
+          geometry: { type: "Polygon" as const, coordinates: [coordinates] },
+          properties: {
+            name: zone.name,
+            base: Math.max(0, (zone.floor_msl_m ?? ground) - ground),
+            top: Math.max(20, (zone.ceiling_msl_m ?? ground + 400) - ground),
+          },
+        },
+      ];
     });
     source.setData({ type: "FeatureCollection", features });
   }
@@ -344,14 +389,17 @@ export class MapView {
     if (row < 0) return;
     this.world.fleet.pose(row, time, this.pose);
     const { mercatorPerMetre, mercatorX, mercatorY } = this.world.frame;
-    const x = mercatorX + this.pose[0] * mercatorPerMetre, y = mercatorY + this.pose[1] * mercatorPerMetre;
+    const x = mercatorX + this.pose[0] * mercatorPerMetre,
+      y = mercatorY + this.pose[1] * mercatorPerMetre;
     const lat = (Math.atan(Math.exp((0.5 - y) * 2 * Math.PI)) * 2 - Math.PI / 2) * (180 / Math.PI);
     this.map.jumpTo({ center: [(x - 0.5) * 360, lat] });
   }
 
   /** The map as it is at this moment. */
   picture(): HTMLCanvasElement {
-    const all = document.createElement("canvas"), { width, height } = this.air.canvas, c = all.getContext("2d")!;
+    const all = document.createElement("canvas"),
+      { width, height } = this.air.canvas,
+      c = all.getContext("2d")!;
     all.width = width;
     all.height = height;
     // Drawings of graphics cards are there only until the browser has shown them.
@@ -365,7 +413,8 @@ export class MapView {
   /** Draws what has changed since the last frame. */
   private draw(wall: number): void {
     if (this.camera.version === 0 || this.camera.width <= 1) return;
-    const { world, camera } = this, begun = performance.now();
+    const { world, camera } = this,
+      begun = performance.now();
     const time = world.play.now(wall);
     this.setZones(time);
     if (this.follow && Math.abs(time - this.timeShown) > 1e-3) this.followNow(time);
@@ -385,7 +434,16 @@ export class MapView {
     if (airChanged) {
       this.air.showTruth = this.settings.layers.truth && world.fleet.time - world.truth.time < 5;
       if (moved ? wall - this.labelsAt > 0.1 : wall - this.labelsAt > kLabelsEvery) {
-        this.labels.place(world.fleet, camera, time, this.selected, this.settings.layers.names ? this.labelText : null, theme(), this.warnedColour(), this.boxes);
+        this.labels.place(
+          world.fleet,
+          camera,
+          time,
+          this.selected,
+          this.settings.layers.names ? this.labelText : null,
+          theme(),
+          this.warnedColour(),
+          this.boxes,
+        );
         this.labelsAt = wall;
       }
       this.air.draw(world.fleet, world.truth, camera, time);

@@ -25,7 +25,9 @@ export function ahead(path: readonly PathPoint[], points: Points, passed: number
   let next = path.findIndex(({ ahead_s }) => ahead_s > passed);
   if (next < 0) return new Float64Array(0);
   if (next === 0) return points;
-  const from = path[next - 1], to = path[next], share = (passed - from.ahead_s) / Math.max(1e-6, to.ahead_s - from.ahead_s);
+  const from = path[next - 1],
+    to = path[next],
+    share = (passed - from.ahead_s) / Math.max(1e-6, to.ahead_s - from.ahead_s);
   const rest = points.slice(3 * --next);
   for (let k = 0; k < 3; ++k) rest[k] += share * (points[3 * next + 3 + k] - rest[k]);
   return rest;
@@ -34,7 +36,8 @@ export function ahead(path: readonly PathPoint[], points: Points, passed: number
 export function drawPaths(c: CanvasRenderingContext2D, v: FieldView): void {
   const { fleet, paths } = v.world;
   for (const { entity_id, time_s, points } of paths.values()) {
-    const chosen = v.selected.has(entity_id), row = fleet.row(entity_id);
+    const chosen = v.selected.has(entity_id),
+      row = fleet.row(entity_id);
     if (row < 0 || (fleet.count > kMany && !chosen)) continue;
     c.beginPath();
     trace(c, v.camera, ahead(points, inPlane(v, points), v.time - time_s), false);
@@ -48,12 +51,16 @@ export function drawPaths(c: CanvasRenderingContext2D, v: FieldView): void {
 
 /** Of a task that is thought of: wider, with a mark where it ends. */
 export function drawPreview(c: CanvasRenderingContext2D, v: FieldView, path: readonly PathPoint[]): void {
-  const points = inPlane(v, path), last = points.length - 3;
+  const points = inPlane(v, path),
+    last = points.length - 3;
   if (last < 0) return;
   c.beginPath();
   trace(c, v.camera, points, false);
   c.lineJoin = "round";
-  for (const [colour, width] of [[v.theme.paper, 6], [v.theme.ink, 2.5]] as const) {
+  for (const [colour, width] of [
+    [v.theme.paper, 6],
+    [v.theme.ink, 2.5],
+  ] as const) {
     c.strokeStyle = colour;
     c.lineWidth = width;
     c.stroke();

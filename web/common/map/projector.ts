@@ -39,7 +39,8 @@ export class Projector {
 
   /** Where a place is on the screen, into x and y [CSS px]; false behind the camera. */
   project(px: number, py: number, height: number): boolean {
-    const m = this.matrix, z = this.flat ? 0 : height;
+    const m = this.matrix,
+      z = this.flat ? 0 : height;
     const w = m[3] * px + m[7] * py + m[11] * z + m[15];
     if (w <= 0) return false;
     this.x = (0.5 + (0.5 * (m[0] * px + m[4] * py + m[8] * z + m[12])) / w) * this.width;

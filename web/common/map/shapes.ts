@@ -12,7 +12,10 @@ export type Points = Float64Array;
 export type GroundAt = (north: number, east: number) => number;
 
 export class Shaper {
-  constructor(private readonly frame: Frame, private readonly ground: GroundAt) {}
+  constructor(
+    private readonly frame: Frame,
+    private readonly ground: GroundAt,
+  ) {}
 
   private readonly lines = new WeakMap<object, Points>();
   private readonly bands = new WeakMap<object, Band>();
@@ -36,20 +39,26 @@ export class Shaper {
   band(ring: BoundaryPoint[]): Band {
     let made = this.bands.get(ring);
     if (made) return made;
-    const side = (k: number) => this.points(ring.map((p) => {
-      const reach = k * (p.sigma_m ?? 0);
-      return [(p.north_m ?? 0) + reach * (p.normal_north ?? 0), (p.east_m ?? 0) + reach * (p.normal_east ?? 0)] as const;
-    }));
+    const side = (k: number) =>
+      this.points(
+        ring.map((p) => {
+          const reach = k * (p.sigma_m ?? 0);
+          return [(p.north_m ?? 0) + reach * (p.normal_north ?? 0), (p.east_m ?? 0) + reach * (p.normal_east ?? 0)] as const;
+        }),
+      );
     made = { middle: side(0), inner: side(-kBand95), outer: side(kBand95), inner1: side(-1), outer1: side(1) };
     this.bands.set(ring, made);
     return made;
   }
 
   circle(north: number, east: number, radius: number, above = 0): Points {
-    return this.points(Array.from({ length: 48 }, (_, k) => {
-      const a = (2 * Math.PI * k) / 48;
-      return [north + radius * Math.cos(a), east + radius * Math.sin(a)] as const;
-    }), above);
+    return this.points(
+      Array.from({ length: 48 }, (_, k) => {
+        const a = (2 * Math.PI * k) / 48;
+        return [north + radius * Math.cos(a), east + radius * Math.sin(a)] as const;
+      }),
+      above,
+    );
   }
 
   one(north: number, east: number, out: Float64Array): void {
@@ -88,18 +97,24 @@ const corners = new Float64Array(8);
 export function traceBand(context: CanvasRenderingContext2D, camera: Projector, { inner, outer }: Pick<Band, "inner" | "outer">): void {
   const n = inner.length / 3;
   for (let i = 0; i < n; ++i) {
-    const k = 3 * ((i + 1) % n), j = 3 * i;
+    const k = 3 * ((i + 1) % n),
+      j = 3 * i;
     if (!camera.project(outer[j], outer[j + 1], outer[j + 2])) continue;
-    corners[0] = camera.x; corners[1] = camera.y;
+    corners[0] = camera.x;
+    corners[1] = camera.y;
     if (!camera.project(outer[k], outer[k + 1], outer[k + 2])) continue;
-    corners[2] = camera.x; corners[3] = camera.y;
+    corners[2] = camera.x;
+    corners[3] = camera.y;
     if (!camera.project(inner[k], inner[k + 1], inner[k + 2])) continue;
-    corners[4] = camera.x; corners[5] = camera.y;
+    corners[4] = camera.x;
+    corners[5] = camera.y;
     if (!camera.project(inner[j], inner[j + 1], inner[j + 2])) continue;
-    corners[6] = camera.x; corners[7] = camera.y;
+    corners[6] = camera.x;
+    corners[7] = camera.y;
     let area = 0;
     for (let c = 0; c < 8; c += 2) area += corners[c] * corners[(c + 3) % 8] - corners[c + 1] * corners[(c + 2) % 8];
-    const step = area < 0 ? -2 : 2, first = area < 0 ? 6 : 0;
+    const step = area < 0 ? -2 : 2,
+      first = area < 0 ? 6 : 0;
     context.moveTo(corners[first], corners[first + 1]);
     for (let c = 1; c < 4; ++c) context.lineTo(corners[first + c * step], corners[first + c * step + 1]);
     context.closePath();

@@ -23,8 +23,14 @@ export class MapTools {
   private readonly taker = (here: Here) => this.click(here);
   private onClick: ((here: Here) => void) | null = null;
 
-  constructor(private readonly units: Units, private readonly view: MapView) {
-    this.hint.append(this.text, button(T.cancel, () => this.stop()));
+  constructor(
+    private readonly units: Units,
+    private readonly view: MapView,
+  ) {
+    this.hint.append(
+      this.text,
+      button(T.cancel, () => this.stop()),
+    );
     view.extras.push((c) => this.draw(c));
   }
 
@@ -96,9 +102,12 @@ export class MapTools {
   private tellMeasured(): void {
     const { units, points: p } = this;
     if (p.length < 2) return;
-    let all = 0, leg = 0, bearing = 0;
+    let all = 0,
+      leg = 0,
+      bearing = 0;
     for (let i = 1; i < p.length; ++i) {
-      const north = p[i][0] - p[i - 1][0], east = p[i][1] - p[i - 1][1];
+      const north = p[i][0] - p[i - 1][0],
+        east = p[i][1] - p[i - 1][1];
       leg = Math.hypot(north, east);
       bearing = (Math.atan2(east, north) * 180) / Math.PI;
       all += leg;
@@ -129,13 +138,14 @@ export class MapTools {
   }
 
   private drawPoints(c: CanvasRenderingContext2D, points: [number, number][], area: boolean, colour: string): void {
-    const { camera, shaper } = this.view, { ink, paper } = theme(), line = shaper.points(points);
+    const { camera, shaper } = this.view,
+      { ink, paper } = theme(),
+      line = shaper.points(points);
     c.strokeStyle = colour;
     c.lineWidth = 2.5;
     c.beginPath();
     const screen: [number, number][] = [];
-    for (let i = 0; i < line.length; i += 3)
-      if (camera.project(line[i], line[i + 1], line[i + 2])) screen.push([camera.x, camera.y]);
+    for (let i = 0; i < line.length; i += 3) if (camera.project(line[i], line[i + 1], line[i + 2])) screen.push([camera.x, camera.y]);
     screen.forEach(([x, y], k) => (k === 0 ? c.moveTo(x, y) : c.lineTo(x, y)));
     if (area && screen.length > 2) c.closePath();
     c.stroke();

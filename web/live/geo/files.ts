@@ -26,13 +26,35 @@ function turned(ring: Position[], hole: boolean): Position[] {
 const said = ({ purpose, properties }: Feature): Feature["properties"] => (purpose ? { purpose, ...properties } : properties);
 
 export function toGeoJson(features: Feature[], frame: Frame): string {
-  return JSON.stringify({ type: "FeatureCollection", features: features.map((each) => ({ ...each, properties: said(each) })).map(({ name, geometry, properties }) => ({
-    type: "Feature",
-    properties: { name, ...properties },
-    geometry: geometry.kind === "point" ? { type: "Point", coordinates: toPosition(frame, geometry.at) }
-      : geometry.kind === "line" ? { type: "LineString", coordinates: geometry.points.map((p) => toPosition(frame, p)) }
-        : { type: "Polygon", coordinates: geometry.rings.map((ring, k) => closed(turned(ring.map((p) => toPosition(frame, p)), k > 0))) },
-  })) }, null, 1);
+  return JSON.stringify(
+    {
+      type: "FeatureCollection",
+      features: features
+        .map((each) => ({ ...each, properties: said(each) }))
+        .map(({ name, geometry, properties }) => ({
+          type: "Feature",
+          properties: { name, ...properties },
+          geometry:
+            geometry.kind === "point"
+              ? { type: "Point", coordinates: toPosition(frame, geometry.at) }
+              : geometry.kind === "line"
+                ? { type: "LineString", coordinates: geometry.points.map((p) => toPosition(frame, p)) }
+                : {
+                    type: "Polygon",
+                    coordinates: geometry.rings.map((ring, k) =>
+                      closed(
+                        turned(
+                          ring.map((p) => toPosition(frame, p)),
+                          k > 0,
+                        ),
+                      ),
+                    ),
+                  },
+        })),
+    },
+    null,
+    1,
+  );
 }
 
 const escape = (text: string) => text.replace(/[<>&"']/g, (c) => `&#${c.charCodeAt(0)};`);
@@ -40,11 +62,16 @@ const escape = (text: string) => text.replace(/[<>&"']/g, (c) => `&#${c.charCode
 export function toKml(features: Feature[], frame: Frame): string {
   const list = (ring: Ring, close: boolean) => (close ? closed(ring) : ring).map((p) => toPosition(frame, p).slice(0, 2).join(",")).join(" ");
   const ring = (points: Ring, side: string) => `<${side}><LinearRing><coordinates>${list(points, true)}</coordinates></LinearRing></${side}>`;
-  const placemark = ({ name, geometry, properties }: Feature) => `<Placemark><name>${escape(name)}</name><ExtendedData>${
-    Object.entries(properties).map(([key, value]) => `<Data name="${escape(key)}"><value>${escape(String(value ?? ""))}</value></Data>`).join("")}</ExtendedData>${
-    geometry.kind === "point" ? `<Point><coordinates>${list([geometry.at], false)}</coordinates></Point>`
-      : geometry.kind === "line" ? `<LineString><tessellate>1</tessellate><coordinates>${list(geometry.points, false)}</coordinates></LineString>`
-        : `<Polygon><tessellate>1</tessellate>${geometry.rings.map((points, k) => ring(points, k === 0 ? "outerBoundaryIs" : "innerBoundaryIs")).join("")}</Polygon>`}</Placemark>`;
+  const placemark = ({ name, geometry, properties }: Feature) =>
+    `<Placemark><name>${escape(name)}</name><ExtendedData>${Object.entries(properties)
+      .map(([key, value]) => `<Data name="${escape(key)}"><value>${escape(String(value ?? ""))}</value></Data>`)
+      .join("")}</ExtendedData>${
+      geometry.kind === "point"
+        ? `<Point><coordinates>${list([geometry.at], false)}</coordinates></Point>`
+        : geometry.kind === "line"
+          ? `<LineString><tessellate>1</tessellate><coordinates>${list(geometry.points, false)}</coordinates></LineString>`
+          : `<Polygon><tessellate>1</tessellate>${geometry.rings.map((points, k) => ring(points, k === 0 ? "outerBoundaryIs" : "innerBoundaryIs")).join("")}</Polygon>`
+    }</Placemark>`;
   return `<?xml version="1.0" encoding="UTF-8"?>\n<kml xmlns="http://www.opengis.net/kml/2.2"><Document>\n${features.map((each) => placemark({ ...each, properties: said(each) })).join("\n")}\n</Document></kml>\n`;
 }
 
@@ -64,13 +91,16 @@ export interface Loaded {
 const kCorners = 64; // of a circle that is drawn
 
 function ringOf({ north_m, east_m, radius_m }: Circle): Ring {
-  return Array.from({ length: kCorners }, (_, k): [number, number] =>
-    [north_m + radius_m * Math.cos((2 * k * Math.PI) / kCorners), east_m + radius_m * Math.sin((2 * k * Math.PI) / kCorners)]);
+  return Array.from({ length: kCorners }, (_, k): [number, number] => [
+    north_m + radius_m * Math.cos((2 * k * Math.PI) / kCorners),
+    east_m + radius_m * Math.sin((2 * k * Math.PI) / kCorners),
+  ]);
 }
 
 export function fromServer(sent: SentFeature[]): Feature[] {
   return sent.map(({ name, purpose, kind, rings, radius_m }): Feature => {
-    const base = { name, purpose, properties: {} }, [first] = rings;
+    const base = { name, purpose, properties: {} },
+      [first] = rings;
     if (kind === "point") return { ...base, geometry: { kind, at: first[0] } };
     if (kind === "line") return { ...base, geometry: { kind, points: first } };
     if (kind === "area") return { ...base, geometry: { kind, rings } };
@@ -83,8 +113,11 @@ export const kMaxFile = 4 << 20; // that the server takes [bytes]
 
 /** Has the server read a file, with the readers of the command line. Throws what is wrong with it, for people. */
 export async function readFeatures(file: File): Promise<Loaded> {
-  const response = await fetch(`api/drawings?name=${encodeURIComponent(file.name)}`,
-    { method: "POST", headers: { "Content-Type": "application/octet-stream" }, body: file });
+  const response = await fetch(`api/drawings?name=${encodeURIComponent(file.name)}`, {
+    method: "POST",
+    headers: { "Content-Type": "application/octet-stream" },
+    body: file,
+  });
   const reply = (await response.json()) as { features?: SentFeature[]; notes?: string[]; error?: string };
   if (!response.ok || !reply.features) throw new Error(reply.error ?? response.statusText);
   return { features: fromServer(reply.features), notes: reply.notes ?? [] };
@@ -99,7 +132,8 @@ const toLatLng = (frame: Frame, place: [number, number]): LatLng => {
   return [lat, lng];
 };
 
-const kRelativeAltitude = 1, kGlobalRelativeAlt = 3; // heights count from home: of the plan, of MAV_FRAME
+const kRelativeAltitude = 1,
+  kGlobalRelativeAlt = 3; // heights count from home: of the plan, of MAV_FRAME
 
 /** Whether a .plan of Skein's has room for a feature: surveys and corridors would need what QGroundControl adds to them. */
 const isFlown = ({ purpose = "", geometry }: Feature) => geometry.kind !== "area" && (purpose === "" || purpose === "route" || purpose === "waypoint");
@@ -114,26 +148,53 @@ export const leftOutOfPlan = (features: Feature[]) => features.filter((each) => 
  * was drawn is to stay in. Rally points stay such; surveys and corridors are left out.
  */
 export function toPlan(features: Feature[], frame: Frame, height_m: number): string {
-  const route = features.filter(isFlown).flatMap(({ geometry }) => (geometry.kind === "point" ? [geometry.at] : geometry.kind === "line" ? geometry.points : []));
-  const fences = features.filter(isFence).map(({ geometry, circle, purpose }) =>
-    ({ ring: geometry.kind === "area" ? geometry.rings[0] : [], circle, inclusion: purpose !== "exclusion" }));
+  const route = features
+    .filter(isFlown)
+    .flatMap(({ geometry }) => (geometry.kind === "point" ? [geometry.at] : geometry.kind === "line" ? geometry.points : []));
+  const fences = features
+    .filter(isFence)
+    .map(({ geometry, circle, purpose }) => ({ ring: geometry.kind === "area" ? geometry.rings[0] : [], circle, inclusion: purpose !== "exclusion" }));
   const rally = features.filter(isRally).flatMap(({ geometry }) => (geometry.kind === "point" ? [geometry.at] : []));
   const home = toLatLng(frame, route[0] ?? fences[0]?.ring[0] ?? rally[0] ?? [0, 0]);
-  return JSON.stringify({
-    fileType: "Plan", groundStation: "Skein", version: 1,
-    mission: {
-      version: 2, firmwareType: 0, vehicleType: 0, cruiseSpeed: 15, hoverSpeed: 5, globalPlanAltitudeMode: kRelativeAltitude,
-      plannedHomePosition: [...home, 0],
-      items: route.map((place, i) => ({ type: "SimpleItem", command: kWaypoint, frame: kGlobalRelativeAlt, autoContinue: true, doJumpId: i + 1,
-        Altitude: height_m, AltitudeMode: kRelativeAltitude, AMSLAltAboveTerrain: null, params: [0, 0, 0, null, ...toLatLng(frame, place), height_m] })),
+  return JSON.stringify(
+    {
+      fileType: "Plan",
+      groundStation: "Skein",
+      version: 1,
+      mission: {
+        version: 2,
+        firmwareType: 0,
+        vehicleType: 0,
+        cruiseSpeed: 15,
+        hoverSpeed: 5,
+        globalPlanAltitudeMode: kRelativeAltitude,
+        plannedHomePosition: [...home, 0],
+        items: route.map((place, i) => ({
+          type: "SimpleItem",
+          command: kWaypoint,
+          frame: kGlobalRelativeAlt,
+          autoContinue: true,
+          doJumpId: i + 1,
+          Altitude: height_m,
+          AltitudeMode: kRelativeAltitude,
+          AMSLAltAboveTerrain: null,
+          params: [0, 0, 0, null, ...toLatLng(frame, place), height_m],
+        })),
+      },
+      geoFence: {
+        version: 2,
+        circles: fences.flatMap(({ circle, inclusion }) =>
+          circle ? [{ version: 1, inclusion, circle: { center: toLatLng(frame, [circle.north_m, circle.east_m]), radius: circle.radius_m } }] : [],
+        ),
+        polygons: fences.flatMap(({ ring, circle, inclusion }) =>
+          circle ? [] : [{ version: 1, inclusion, polygon: ring.map((place) => toLatLng(frame, place)) }],
+        ),
+      },
+      rallyPoints: { version: 2, points: rally.map((place) => [...toLatLng(frame, place), height_m]) },
     },
-    geoFence: {
-      version: 2,
-      circles: fences.flatMap(({ circle, inclusion }) => (circle ? [{ version: 1, inclusion, circle: { center: toLatLng(frame, [circle.north_m, circle.east_m]), radius: circle.radius_m } }] : [])),
-      polygons: fences.flatMap(({ ring, circle, inclusion }) => (circle ? [] : [{ version: 1, inclusion, polygon: ring.map((place) => toLatLng(frame, place)) }])),
-    },
-    rallyPoints: { version: 2, points: rally.map((place) => [...toLatLng(frame, place), height_m]) },
-  }, null, 1);
+    null,
+    1,
+  );
 }
 
 function save(text: string, type: string, name: string): void {

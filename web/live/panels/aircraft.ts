@@ -32,15 +32,41 @@ export class AircraftDetail {
       button(T.task.hold, () => this.each((name) => app.giveTask(name, { kind: "hold" }))),
       button(T.task.return, () => this.each((name) => app.giveTask(name, { kind: "return" }))),
       button(T.task.land, () => this.each((name) => app.giveTask(name, { kind: "land", at_home: true } as never))),
-      button(T.task.pauseTask, () => this.change("pause")), button(T.task.resumeTask, () => this.change("resume")),
+      button(T.task.pauseTask, () => this.change("pause")),
+      button(T.task.resumeTask, () => this.change("resume")),
       button(T.task.cancelTask, () => this.change("cancel")),
-      button(T.task.heightSpeed, () => this.flight.toggle()), this.heir);
-    this.content = h("div", { class: "detail-content" },
-      h("header", {}, this.title,
-        iconButton("follow", T.aircraft.follow, () => { app.map.follow = !app.map.follow; }, { "data-follow": "" }),
-        iconButton("target", T.aircraft.center, () => { for (const id of app.map.selected) { app.map.centreOn(id); break; } }),
-        iconButton("close", T.aircraft.close, () => app.map.select([]))),
-      this.does, this.actions, this.form.element, this.flight.element, this.facts.element);
+      button(T.task.heightSpeed, () => this.flight.toggle()),
+      this.heir,
+    );
+    this.content = h(
+      "div",
+      { class: "detail-content" },
+      h(
+        "header",
+        {},
+        this.title,
+        iconButton(
+          "follow",
+          T.aircraft.follow,
+          () => {
+            app.map.follow = !app.map.follow;
+          },
+          { "data-follow": "" },
+        ),
+        iconButton("target", T.aircraft.center, () => {
+          for (const id of app.map.selected) {
+            app.map.centreOn(id);
+            break;
+          }
+        }),
+        iconButton("close", T.aircraft.close, () => app.map.select([])),
+      ),
+      this.does,
+      this.actions,
+      this.form.element,
+      this.flight.element,
+      this.facts.element,
+    );
     this.element.append(this.hint, this.content);
   }
 
@@ -60,19 +86,23 @@ export class AircraftDetail {
   }
 
   update(): void {
-    const { app } = this, { world, units } = app, { fleet } = world;
+    const { app } = this,
+      { world, units } = app,
+      { fleet } = world;
     const ids = [...app.map.selected];
     this.hint.hidden = ids.length > 0;
     this.content.hidden = ids.length === 0;
     if (ids.length === 0) return;
-    const id = ids[0], row = fleet.row(id);
+    const id = ids[0],
+      row = fleet.row(id);
     setText(this.title, ids.length === 1 ? world.name(id) : T.aircraft.several(ids.length));
     this.content.querySelector("[data-follow]")?.setAttribute("aria-pressed", String(app.map.follow));
     for (const control of this.actions.querySelectorAll<HTMLButtonElement | HTMLSelectElement>("button, select")) control.disabled = !app.mayCommand;
     if (this.heir.options.length !== app.run.aircraft.length + 1)
       this.heir.replaceChildren(option("", T.task.giveTo), ...app.run.aircraft.map(({ name }) => option(name, name)));
     if (row < 0) return;
-    const get = (name: string) => fleet.get(row, name), f = this.facts;
+    const get = (name: string) => fleet.get(row, name),
+      f = this.facts;
     const warned = get("failsafe") > 0;
     this.does.className = warned ? "does warned" : "does";
     const doing = ids.length === 1 ? app.doing(row) : ids.map((each) => world.name(each)).join(", ");
@@ -93,7 +123,11 @@ export class AircraftDetail {
     f.set(T.aircraft.cross, units.distance(get("cross_track_m")));
     f.set(T.aircraft.late, units.seconds(get("time_error_s")));
     f.set(T.aircraft.mode, fleet.word(row, "mode"));
-    f.set(T.aircraft.failsafe, warned ? T.task.failsafes[fleet.word(row, "failsafe")] ?? fleet.word(row, "failsafe") : T.aircraft.allOk, warned ? "warned" : "");
+    f.set(
+      T.aircraft.failsafe,
+      warned ? (T.task.failsafes[fleet.word(row, "failsafe")] ?? fleet.word(row, "failsafe")) : T.aircraft.allOk,
+      warned ? "warned" : "",
+    );
     const planner = world.planners.get(id);
     if (planner) f.set("Planner", T.aircraft.planner(planner.link, planner.verdict, planner.reason));
     const reason = world.reasons.get(id);

@@ -11,7 +11,11 @@ import type { Panel } from "./panel";
 
 /** Area and length of rings; holes count against the area. */
 export function measureRings(rings: BoundaryPoint[][]): { area: number; length: number; sigma: number; sigmaMax: number; growth: number } {
-  let area = 0, length = 0, weighted = 0, sigmaMax = 0, growth = 0;
+  let area = 0,
+    length = 0,
+    weighted = 0,
+    sigmaMax = 0,
+    growth = 0;
   for (const ring of rings)
     ring.forEach((p, i) => {
       const q = ring[(i + 1) % ring.length];
@@ -44,16 +48,26 @@ export class FirePanel implements Panel {
       h("section", {}, this.empty, this.beliefs),
       h("section", {}, this.made, this.forecasts),
       h("section", {}, h("h3", {}, T.fire.arrivals), this.arrivals, h("p", { class: "hint" }, T.fire.arrivalHint)),
-      h("section", {}, h("h3", {}, T.fire.export), h("div", { class: "actions" },
-        button(T.fire.exportGeojson, () => saveGeoJson(all(), app.frame, `${app.run.name}-fire`)),
-        button(T.fire.exportKml, () => saveKml(all(), app.frame, `${app.run.name}-fire`)),
-        // The server makes these.
-        h("a", { class: "button", href: "api/fire.gpkg", download: "" }, T.fire.exportGpkg),
-        h("a", { class: "button", href: "api/fire.shp.zip", download: "" }, T.fire.exportShp))));
+      h(
+        "section",
+        {},
+        h("h3", {}, T.fire.export),
+        h(
+          "div",
+          { class: "actions" },
+          button(T.fire.exportGeojson, () => saveGeoJson(all(), app.frame, `${app.run.name}-fire`)),
+          button(T.fire.exportKml, () => saveKml(all(), app.frame, `${app.run.name}-fire`)),
+          // The server makes these.
+          h("a", { class: "button", href: "api/fire.gpkg", download: "" }, T.fire.exportGpkg),
+          h("a", { class: "button", href: "api/fire.shp.zip", download: "" }, T.fire.exportShp),
+        ),
+      ),
+    );
   }
 
   update(): void {
-    const { world, units } = this.app, { version } = world;
+    const { world, units } = this.app,
+      { version } = world;
     setText(this.headline, world.clock.headline || T.none);
     const key = `${version.fire} ${version.forecast} ${version.arrival} ${Math.floor(world.time)} ${this.app.settings.units}`;
     if (key === this.shown) return;
@@ -85,21 +99,62 @@ export class FirePanel implements Panel {
     const rows = [...world.forecasts.values()].flatMap((all) => [...all.values()].sort((a, b) => a.boundary_time_s - b.boundary_time_s));
     setText(this.made, rows.length > 0 ? T.fire.made(clock(rows[0].made_s)) : T.fire.forecasts);
     this.forecasts.replaceChildren(
-      h("thead", {}, h("tr", {}, ...[T.fire.horizon, T.fire.area, T.fire.length, T.fire.sigma].map((text, k) => h("th", { scope: "col", class: k > 0 ? "number" : undefined }, text)))),
-      h("tbody", {}, ...rows.map((forecast) => {
-        const m = measureRings(forecast.boundary_rings);
-        return h("tr", {}, h("th", { scope: "row" }, T.map.inMinutes(Math.round((forecast.boundary_time_s - world.time) / 60))),
-          h("td", { class: "number" }, units.area(m.area)), h("td", { class: "number" }, units.distance(m.length)), h("td", { class: "number" }, units.distance(m.sigma)));
-      })));
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          ...[T.fire.horizon, T.fire.area, T.fire.length, T.fire.sigma].map((text, k) => h("th", { scope: "col", class: k > 0 ? "number" : undefined }, text)),
+        ),
+      ),
+      h(
+        "tbody",
+        {},
+        ...rows.map((forecast) => {
+          const m = measureRings(forecast.boundary_rings);
+          return h(
+            "tr",
+            {},
+            h("th", { scope: "row" }, T.map.inMinutes(Math.round((forecast.boundary_time_s - world.time) / 60))),
+            h("td", { class: "number" }, units.area(m.area)),
+            h("td", { class: "number" }, units.distance(m.length)),
+            h("td", { class: "number" }, units.distance(m.sigma)),
+          );
+        }),
+      ),
+    );
   }
 
   private showArrivals(): void {
     const { world } = this.app;
     const at = (time: number | null) => (time == null ? T.none : clock(time));
     this.arrivals.replaceChildren(
-      h("thead", {}, h("tr", {}, ...[T.fire.place, T.fire.early, T.fire.middle, T.fire.late].map((text, k) => h("th", { scope: "col", class: k > 0 ? "number" : undefined }, text)))),
-      h("tbody", {}, ...[...world.arrivals.values()].map((arrival) => h("tr", {},
-        h("th", { scope: "row" }, button(arrival.place, () => this.app.map.goTo(arrival.north_m ?? 0, arrival.east_m ?? 0), { class: "quiet" })),
-        ...[arrival.early_s, arrival.middle_s, arrival.late_s].map((time) => h("td", { class: "number" }, at(time)))))));
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          ...[T.fire.place, T.fire.early, T.fire.middle, T.fire.late].map((text, k) => h("th", { scope: "col", class: k > 0 ? "number" : undefined }, text)),
+        ),
+      ),
+      h(
+        "tbody",
+        {},
+        ...[...world.arrivals.values()].map((arrival) =>
+          h(
+            "tr",
+            {},
+            h(
+              "th",
+              { scope: "row" },
+              button(arrival.place, () => this.app.map.goTo(arrival.north_m ?? 0, arrival.east_m ?? 0), { class: "quiet" }),
+            ),
+            ...[arrival.early_s, arrival.middle_s, arrival.late_s].map((time) => h("td", { class: "number" }, at(time))),
+          ),
+        ),
+      ),
+    );
   }
 }

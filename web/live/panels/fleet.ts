@@ -39,13 +39,32 @@ export class FleetPanel implements Panel {
 
   constructor(private readonly app: App) {
     this.search = h("input", { type: "search", placeholder: T.fleet.search, "aria-label": T.fleet.search, oninput: () => this.update() });
-    const sort = h("select", { "aria-label": T.fleet.sort, onchange: () => { this.sort = sort.value as Sort; this.update(); } },
-      ...Object.entries(T.fleet.sorts).map(([value, text]) => option(value, text)));
-    this.scroller = h("div", { class: "fleet-scroll", role: "listbox", "aria-label": T.fleet.title, "aria-multiselectable": "true", tabindex: 0,
-      onscroll: () => this.fill(), onkeydown: (event) => this.key(event as KeyboardEvent) }, this.body);
+    const sort = h(
+      "select",
+      {
+        "aria-label": T.fleet.sort,
+        onchange: () => {
+          this.sort = sort.value as Sort;
+          this.update();
+        },
+      },
+      ...Object.entries(T.fleet.sorts).map(([value, text]) => option(value, text)),
+    );
+    this.scroller = h(
+      "div",
+      {
+        class: "fleet-scroll",
+        role: "listbox",
+        "aria-label": T.fleet.title,
+        "aria-multiselectable": "true",
+        tabindex: 0,
+        onscroll: () => this.fill(),
+        onkeydown: (event) => this.key(event as KeyboardEvent),
+      },
+      this.body,
+    );
     this.detail = new AircraftDetail(app);
-    this.element = h("div", { class: "fleet-panel" },
-      h("div", { class: "bar" }, this.search, sort), this.count, this.scroller, this.detail.element);
+    this.element = h("div", { class: "fleet-panel" }, h("div", { class: "bar" }, this.search, sort), this.count, this.scroller, this.detail.element);
   }
 
   private key(event: KeyboardEvent): void {
@@ -60,7 +79,8 @@ export class FleetPanel implements Panel {
   }
 
   private reveal(index: number): void {
-    const top = index * kRow, s = this.scroller;
+    const top = index * kRow,
+      s = this.scroller;
     if (top < s.scrollTop) s.scrollTop = top;
     else if (top + kRow > s.scrollTop + s.clientHeight) s.scrollTop = top + kRow - s.clientHeight;
     this.fill();
@@ -77,14 +97,17 @@ export class FleetPanel implements Panel {
   }
 
   private sortRows(): void {
-    const { fleet, entities } = this.app.world, wanted = this.search.value.trim().toLowerCase();
+    const { fleet, entities } = this.app.world,
+      wanted = this.search.value.trim().toLowerCase();
     const rows: number[] = [];
-    for (let row = 0; row < fleet.count; ++row)
-      if (!wanted || (entities.get(fleet.ids[row])?.name ?? "").toLowerCase().includes(wanted)) rows.push(row);
+    for (let row = 0; row < fleet.count; ++row) if (!wanted || (entities.get(fleet.ids[row])?.name ?? "").toLowerCase().includes(wanted)) rows.push(row);
     const name = (row: number) => this.app.world.name(fleet.ids[row]);
     if (this.sort === "name" && this.sorted === `${fleet.count} ${this.app.world.version.entities} ${wanted}`) return;
     this.sorted = this.sort === "name" ? `${fleet.count} ${this.app.world.version.entities} ${wanted}` : "";
-    const charge = (row: number) => { const c = fleet.get(row, "charge"); return Number.isFinite(c) ? c : 2; };
+    const charge = (row: number) => {
+      const c = fleet.get(row, "charge");
+      return Number.isFinite(c) ? c : 2;
+    };
     const attention = (row: number) => (fleet.get(row, "failsafe") > 0 ? 0 : 1e3) + (this.app.silence(row) > 5 ? 0 : 100) + 10 * Math.min(charge(row), 1);
     const by: Record<string, (a: number, b: number) => number> = {
       name: (a, b) => kCollator.compare(name(a), name(b)),
@@ -112,14 +135,30 @@ export class FleetPanel implements Panel {
     if (line) return line;
     const part = (name: string) => h("span", { class: name });
     const bar = part("charge-fill");
-    line = { element: h("div", { class: "fleet-row", role: "option" }), name: part("name"), kind: part("kind"), does: part("does"), battery: part("battery"),
-      bar, heard: part("heard"), height: part("height"), id: -1 };
+    line = {
+      element: h("div", { class: "fleet-row", role: "option" }),
+      name: part("name"),
+      kind: part("kind"),
+      does: part("does"),
+      battery: part("battery"),
+      bar,
+      heard: part("heard"),
+      height: part("height"),
+      id: -1,
+    };
     const made = line;
-    made.element.append(part("swatch"), h("span", { class: "who" }, made.name, made.kind), made.does,
-      h("span", { class: "charge" }, h("span", { class: "charge-bar" }, bar), made.battery), made.height, made.heard);
+    made.element.append(
+      part("swatch"),
+      h("span", { class: "who" }, made.name, made.kind),
+      made.does,
+      h("span", { class: "charge" }, h("span", { class: "charge-bar" }, bar), made.battery),
+      made.height,
+      made.heard,
+    );
     made.element.addEventListener("click", (event) => {
       const { map } = this.app;
-      if (event.shiftKey || event.ctrlKey) map.select(map.selected.has(made.id) ? [...map.selected].filter((id) => id !== made.id) : [...map.selected, made.id]);
+      if (event.shiftKey || event.ctrlKey)
+        map.select(map.selected.has(made.id) ? [...map.selected].filter((id) => id !== made.id) : [...map.selected, made.id]);
       else map.select([made.id]);
       this.fill();
     });
@@ -130,12 +169,16 @@ export class FleetPanel implements Panel {
 
   // Shows the rows that are seen; the elements are used again.
   private fill(): void {
-    const { app } = this, { fleet } = app.world, { units } = app;
+    const { app } = this,
+      { fleet } = app.world,
+      { units } = app;
     const first = Math.max(0, Math.floor(this.scroller.scrollTop / kRow));
     const seen = Math.ceil((this.scroller.clientHeight || 400) / kRow) + 1;
     const last = Math.min(this.order.length, first + seen);
     for (let i = first; i < last; ++i) {
-      const row = this.order[i], id = fleet.ids[row], line = this.line(i - first);
+      const row = this.order[i],
+        id = fleet.ids[row],
+        line = this.line(i - first);
       line.id = id;
       line.element.hidden = false;
       const top = `translateY(${i * kRow}px)`;
@@ -144,7 +187,9 @@ export class FleetPanel implements Panel {
       const reality = app.reality(id);
       setText(line.kind, reality === "simulated" ? "" : T.fleet.real[reality]);
       setText(line.does, app.doing(row));
-      const warned = fleet.get(row, "failsafe") > 0, silence = app.silence(row), charge = fleet.get(row, "charge");
+      const warned = fleet.get(row, "failsafe") > 0,
+        silence = app.silence(row),
+        charge = fleet.get(row, "charge");
       setText(line.battery, units.percent(charge));
       line.bar.style.width = `${Math.max(0, Math.min(100, 100 * (charge || 0)))}%`;
       setText(line.heard, silence > 1.5 ? T.fleet.age(units.seconds(silence)) : "");

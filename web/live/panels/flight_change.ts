@@ -6,14 +6,30 @@ import { T } from "../../common/texts";
 import { button, labelledField, setText } from "../../common/ui";
 
 export class FlightChangeForm {
-  readonly element = h("form", { class: "task-form", hidden: true, onsubmit: (event) => { event.preventDefault(); this.send(); } });
+  readonly element = h("form", {
+    class: "task-form",
+    hidden: true,
+    onsubmit: (event) => {
+      event.preventDefault();
+      this.send();
+    },
+  });
   private readonly height = h("input", { type: "number", min: "1", step: "any", placeholder: T.task.emptyIsDefault });
   private readonly speed = h("input", { type: "number", min: "0.1", step: "any", placeholder: T.task.emptyIsDefault });
   private readonly problem = h("p", { class: "problem", role: "alert" });
 
   constructor(private readonly app: App) {
-    this.element.append(labelledField(T.aircraft.overGround, this.height, "m"), labelledField(T.aircraft.airspeed, this.speed, "m/s"), this.problem,
-      h("div", { class: "actions" }, h("button", { type: "submit", class: "primary" }, T.task.send), button(T.cancel, () => this.toggle(false))));
+    this.element.append(
+      labelledField(T.aircraft.overGround, this.height, "m"),
+      labelledField(T.aircraft.airspeed, this.speed, "m/s"),
+      this.problem,
+      h(
+        "div",
+        { class: "actions" },
+        h("button", { type: "submit", class: "primary" }, T.task.send),
+        button(T.cancel, () => this.toggle(false)),
+      ),
+    );
   }
 
   toggle(open = this.element.hidden): void {
@@ -27,8 +43,15 @@ export class FlightChangeForm {
     setText(this.problem, "");
     for (const id of this.app.map.selected) {
       const aircraft = this.app.world.name(id);
-      this.app.command({ kind: "change_flight", aircraft, ...(height.value === "" ? {} : { altitude_agl_m: Number(height.value) }),
-        ...(speed.value === "" ? {} : { airspeed_mps: Number(speed.value) }) }, T.commands.flight(aircraft));
+      this.app.command(
+        {
+          kind: "change_flight",
+          aircraft,
+          ...(height.value === "" ? {} : { altitude_agl_m: Number(height.value) }),
+          ...(speed.value === "" ? {} : { airspeed_mps: Number(speed.value) }),
+        },
+        T.commands.flight(aircraft),
+      );
     }
     this.toggle(false);
   }

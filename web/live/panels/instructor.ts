@@ -25,24 +25,79 @@ export class InstructorPanel implements Panel {
     const steps = h("input", { type: "number", min: 1, step: 1, value: 10 });
     const line = h("input", { type: "text", placeholder: "wind 5 270", spellcheck: "false" });
     this.truth = button("", () => this.setTruth(!this.truthShown));
-    this.ladder.append(...T.instructor.rungs.map((text, k) => h("li", {}, button(text, () => this.climb(k)))));
-    this.content = h("fieldset", { class: "panel-content" },
+    this.ladder.append(
+      ...T.instructor.rungs.map((text, k) =>
+        h(
+          "li",
+          {},
+          button(text, () => this.climb(k)),
+        ),
+      ),
+    );
+    this.content = h(
+      "fieldset",
+      { class: "panel-content" },
       h("section", {}, h("h3", {}, T.instructor.truth), h("div", { class: "actions" }, this.truth)),
-      h("section", {}, h("h3", {}, T.instructor.faults), h("div", { class: "two" }, labelledField(T.task.who, this.aircraft), labelledField(T.instructor.part, part)), parts,
-        h("div", { class: "actions" }, button(T.instructor.inject, () => this.fault(this.aircraft.value, part.value, true), { class: "danger" }),
+      h(
+        "section",
+        {},
+        h("h3", {}, T.instructor.faults),
+        h("div", { class: "two" }, labelledField(T.task.who, this.aircraft), labelledField(T.instructor.part, part)),
+        parts,
+        h(
+          "div",
+          { class: "actions" },
+          button(T.instructor.inject, () => this.fault(this.aircraft.value, part.value, true), { class: "danger" }),
           button(T.instructor.repair, () => this.fault(this.aircraft.value, part.value, false)),
           button(T.instructor.add, () => app.command({ kind: "add", aircraft: this.aircraft.value }, T.commands.add(this.aircraft.value))),
-          button(T.instructor.remove, () => app.command({ kind: "remove", aircraft: this.aircraft.value }, T.commands.remove(this.aircraft.value)), { class: "danger" }))),
-      h("section", {}, h("h3", {}, T.instructor.wind), h("div", { class: "two" }, labelledField(T.instructor.speed, speed, "m/s"), labelledField(T.instructor.from, from, "deg")),
-        h("div", { class: "actions" }, button(T.instructor.setWind, () => this.wind(Number(speed.value), Number(from.value))), button(T.instructor.noWind, () => this.wind(0, 0)))),
-      h("section", {}, h("h3", {}, T.instructor.time), h("div", { class: "actions" }, labelledField(T.instructor.steps, steps),
-        button(T.top.step, () => app.step(Math.max(1, Math.round(Number(steps.value))))))),
+          button(T.instructor.remove, () => app.command({ kind: "remove", aircraft: this.aircraft.value }, T.commands.remove(this.aircraft.value)), {
+            class: "danger",
+          }),
+        ),
+      ),
+      h(
+        "section",
+        {},
+        h("h3", {}, T.instructor.wind),
+        h("div", { class: "two" }, labelledField(T.instructor.speed, speed, "m/s"), labelledField(T.instructor.from, from, "deg")),
+        h(
+          "div",
+          { class: "actions" },
+          button(T.instructor.setWind, () => this.wind(Number(speed.value), Number(from.value))),
+          button(T.instructor.noWind, () => this.wind(0, 0)),
+        ),
+      ),
+      h(
+        "section",
+        {},
+        h("h3", {}, T.instructor.time),
+        h(
+          "div",
+          { class: "actions" },
+          labelledField(T.instructor.steps, steps),
+          button(T.top.step, () => app.step(Math.max(1, Math.round(Number(steps.value))))),
+        ),
+      ),
       h("section", {}, h("h3", {}, T.instructor.ladder), h("p", { class: "hint" }, T.instructor.ladderHint), this.ladder),
-      h("section", {}, h("h3", {}, T.instructor.line), h("form", { class: "line-form", onsubmit: (event) => {
-        event.preventDefault();
-        if (line.value.trim()) app.connection.send({ line: line.value.trim() }, line.value.trim());
-        line.value = "";
-      } }, labelledField(T.instructor.line, line, "", T.instructor.lineHint), h("button", { type: "submit" }, T.instructor.send))));
+      h(
+        "section",
+        {},
+        h("h3", {}, T.instructor.line),
+        h(
+          "form",
+          {
+            class: "line-form",
+            onsubmit: (event) => {
+              event.preventDefault();
+              if (line.value.trim()) app.connection.send({ line: line.value.trim() }, line.value.trim());
+              line.value = "";
+            },
+          },
+          labelledField(T.instructor.line, line, "", T.instructor.lineHint),
+          h("button", { type: "submit" }, T.instructor.send),
+        ),
+      ),
+    );
     this.element.append(this.only, this.content);
   }
 
@@ -74,7 +129,8 @@ export class InstructorPanel implements Panel {
   }
 
   update(): void {
-    const may = this.app.role === "instructor", key = `${this.app.world.version.entities} ${may} ${this.truthShown}`;
+    const may = this.app.role === "instructor",
+      key = `${this.app.world.version.entities} ${may} ${this.truthShown}`;
     if (key === this.shown) return;
     this.shown = key;
     this.only.hidden = may;

@@ -43,8 +43,10 @@ export class PlotsPanel implements Panel {
   private missionsShown = "";
 
   constructor(private readonly app: App) {
-    this.element.append(h("section", {}, h("div", { class: "bar" }, h("h3", {}, T.plots.mission), this.mission), this.none, this.holder),
-      h("section", {}, this.flightTitle, this.flightHint, this.flightHolder));
+    this.element.append(
+      h("section", {}, h("div", { class: "bar" }, h("h3", {}, T.plots.mission), this.mission), this.none, this.holder),
+      h("section", {}, this.flightTitle, this.flightHint, this.flightHolder),
+    );
     app.every(() => this.sample());
   }
 
@@ -65,16 +67,20 @@ export class PlotsPanel implements Panel {
     const latest = h("span", { class: "latest" });
     made.element.querySelector("figcaption")?.append(latest);
     holder.append(made.element);
-    list.push({ chart: made, lines: () => {
-      const now = lines();
-      setText(latest, now.map(({ y }) => number(y[y.length - 1], 3)).join(" / "));
-      return now;
-    } });
+    list.push({
+      chart: made,
+      lines: () => {
+        const now = lines();
+        setText(latest, now.map(({ y }) => number(y[y.length - 1], 3)).join(" / "));
+        return now;
+      },
+    });
   }
 
   private build(names: string[]): void {
-    const line = (name: string, colour: number, label = name, dash: Line["dash"] = "solid") => (): Line =>
-      ({ name: label, x: this.series(name).time, y: this.series(name).value, colour, dash });
+    const line =
+      (name: string, colour: number, label = name, dash: Line["dash"] = "solid") =>
+      (): Line => ({ name: label, x: this.series(name).time, y: this.series(name).value, colour, dash });
     const taken = new Set<string>();
     const both = (a: string, b: string) => names.includes(a) && names.includes(b);
     if (names.includes("perf_m")) {
@@ -83,13 +89,15 @@ export class PlotsPanel implements Panel {
       taken.add("perf_m");
     }
     if (both("rmse_m", "sigma_m")) {
-      const a = line("rmse_m", 1, T.plots.rmse), b = line("sigma_m", 0, T.plots.sigma, "dashed");
+      const a = line("rmse_m", 1, T.plots.rmse),
+        b = line("sigma_m", 0, T.plots.sigma, "dashed");
       this.add(this.charts, this.holder, T.plots.names.rmse_m, "m", () => [a(), b()]);
       taken.add("rmse_m").add("sigma_m");
     }
     for (const name of names) {
       if (taken.has(name)) continue;
-      const unit = /_(m|ha|s|mps|deg)$/.exec(name)?.[1] ?? "", l = line(name, 2, T.plots.names[name] ?? name);
+      const unit = /_(m|ha|s|mps|deg)$/.exec(name)?.[1] ?? "",
+        l = line(name, 2, T.plots.names[name] ?? name);
       const share = /iou|coverage|share/.test(name);
       this.add(this.charts, this.holder, T.plots.names[name] ?? name.replace(/_/g, " "), unit, () => [l()], share ? [0, 1] : undefined);
     }
@@ -97,13 +105,16 @@ export class PlotsPanel implements Panel {
 
   // A few times a second, whether the panel is seen or not: a plot that is opened late has something to show.
   private sample(): void {
-    const id = this.app.map.selected.values().next().value, { fleet } = this.app.world;
+    const id = this.app.map.selected.values().next().value,
+      { fleet } = this.app.world;
     if (id === undefined) {
       this.flight = null;
       return;
     }
     if (this.flight?.id !== id) this.flight = { id, time: [], altitude: [], speed: [], battery: [], cross: [] };
-    const row = fleet.row(id), f = this.flight, last = f.time[f.time.length - 1] ?? -Infinity;
+    const row = fleet.row(id),
+      f = this.flight,
+      last = f.time[f.time.length - 1] ?? -Infinity;
     if (row < 0 || fleet.time < last + 0.5) {
       if (fleet.time < last) this.flight = null;
       return;
@@ -132,13 +143,15 @@ export class PlotsPanel implements Panel {
     if (wall - this.last < kEvery) return;
     this.last = wall;
     const { world } = this.app;
-    const missions = [...world.metrics.keys()], key = missions.join("|");
+    const missions = [...world.metrics.keys()],
+      key = missions.join("|");
     if (key !== this.missionsShown) {
       this.missionsShown = key;
       const before = this.mission.value;
       this.mission.replaceChildren(...missions.map((name) => option(name, name, name === before)));
     }
-    const names = [...(world.metrics.get(this.mission.value)?.keys() ?? [])], all = names.join("|");
+    const names = [...(world.metrics.get(this.mission.value)?.keys() ?? [])],
+      all = names.join("|");
     this.none.hidden = names.length > 0;
     if (all !== this.names) {
       for (const { chart: each } of this.charts) each.remove();
