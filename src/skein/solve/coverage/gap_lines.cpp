@@ -13,7 +13,7 @@ namespace skein::solve {
 namespace {
 
 constexpr double kMinGap = 1e-2;  // that counts as one [m^2]
-constexpr int kMaxRounds = 12;
+constexpr int kMaxGapRounds = 12;
 constexpr double kMinShift = 1;  // that is worth a try [m]
 constexpr double kApart = 0.1;   // of parts that are not one [m]
 
@@ -185,7 +185,7 @@ GapLines gap_lines(const GapTask& task, const std::vector<SweepLine>& lines) {
   const double share = task.room.distance > half ? 0.05 : 0.001;
   const double min_worth = share * task.spacing;
   geo::Region left = geo::subtract(visible(task), beside(lines, half));
-  for (int round = 0; round < kMaxRounds && !left.empty(); ++round) {
+  for (int round = 0; round < kMaxGapRounds && !left.empty(); ++round) {
     std::vector<SweepLine> found;
     geo::Region rest;
     const auto take = [&](const geo::Region& group) {
