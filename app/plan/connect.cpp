@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// skein plan connect: the quickest flight between two poses in wind.
+// skein plan connect: the quickest Dubins flight between two poses in wind.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -76,16 +76,17 @@ Result<Connected> at_time(const ReadEnds& ends, const model::AirMotion& air, dou
                           double seconds) {
   const model::Arrival found =
       model::connect_at(pose_of(ends.from), pose_of(ends.to), air, seconds);
-  if (found.status != model::ArrivalStatus::kFound)
+  if (found.status != model::ArrivalStatus::kFound) {
+    const bool early = found.status == model::ArrivalStatus::kTooEarly;
+    // Rounded up: what is shown can be flown.
     return Error{
         ErrorCode::kBadInput, "--arrive-s",
-        found.status == model::ArrivalStatus::kTooEarly
-            ? fmt::format("{} s is too early; the soonest is {:.6g} s.", seconds,
-                          found.earliest)
-            : fmt::format("no path of just {} s was found; the soonest is {:.6g} "
-                          "s.",
-                          seconds, found.earliest),
+        fmt::format("{}; the quickest connection takes {:.9g} s.",
+                    early ? fmt::format("{} s is too early", seconds)
+                          : fmt::format("no path of just {} s was found", seconds),
+                    std::ceil(found.earliest * 1000) / 1000),
         "Give another time."};
+  }
   Connected result;
   result.plan = model::starting_at(found.plan, start);
   for (FlightElement& e : result.plan) e.p_N.z() = ends.from.p_N.z();
@@ -93,7 +94,8 @@ Result<Connected> at_time(const ReadEnds& ends, const model::AirMotion& air, dou
                   {"time_s", seconds},
                   {"length_m", model::ground_length(result.plan)},
                   {"earliest_s", found.earliest}};
-  result.facts.emplace_back("Soonest", exchange::shown_time(found.earliest));
+  result.facts.emplace_back("Quickest connection",
+                            exchange::shown_time_below(found.earliest));
   return result;
 }
 

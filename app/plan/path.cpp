@@ -213,7 +213,7 @@ int plan_path(const PlanPathArguments& arguments, const std::atomic<bool>& stop,
   document.marks.push_back(
       {exchange::Mark::Kind::kGoal, "goal", ends.to.p_N, ends.to.heading});
   document.facts = {{"Outcome", std::string(name_of(path.outcome))},
-                    {"No path is below", exchange::shown_time(path.bound)}};
+                    {"No path is below", exchange::shown_time_below(path.bound)}};
   add_facts(document, setting);
   const int status = put_plan(document, about, arguments.output);
   return stop ? static_cast<int>(kInterrupted) : status;

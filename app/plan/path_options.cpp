@@ -42,7 +42,8 @@ void add_ends(CLI::App& command, PlanEnds& ends) {
 
 CLI::App* add_connect(CLI::App& plan, PlanConnectArguments& given) {
   CLI::App& command = *plan.add_subcommand(
-      "connect", "The quickest flight between two poses in a steady wind.");
+      "connect",
+      "The quickest flight of one Dubins word between two poses in a steady wind.");
   add_ends(command, given.ends);
   add_setting(command, given.setting);
   command.add_option("--climb", given.climb, "Largest climb rate in m/s.")
@@ -72,7 +73,7 @@ CLI::App* add_connect(CLI::App& plan, PlanConnectArguments& given) {
 
 CLI::App* add_path(CLI::App& plan, PlanPathArguments& given) {
   CLI::App& command = *plan.add_subcommand(
-      "path", "The quickest path around zones, terrain and moving obstacles.");
+      "path", "A quick path around zones, terrain and moving obstacles, with a bound.");
   add_ends(command, given.ends);
   add_setting(command, given.setting);
   add_limits(command, given.limits);

@@ -2,6 +2,7 @@
 // skein plan patrol: along a line, there and back or around.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/common/commands.h"
@@ -87,7 +88,8 @@ int plan_patrol_command(const PlanPatrolArguments& arguments) {
   add_flights(document, found.plans);
   document.facts = {
       {"Round", exchange::shown_time(found.round_time)},
-      {"Off the line at most", fmt::format("{:.1f} m", found.largest_deviation)}};
+      {"Off the line at most",
+       fmt::format("{:.1f} m", std::ceil(found.largest_deviation * 10) / 10)}};
   if (found.plans.size() > 1)
     document.facts.emplace_back("Interval", exchange::shown_time(found.interval));
   add_facts(document, task.value().setting);

@@ -77,7 +77,7 @@ CLI::App* add_coverage(CLI::App& plan, PlanCoverageArguments& given) {
       .add_option("--zone-distance-m", given.zone_distance,
                   "Lines keep so far from zones; default 0.")
       ->check(number_in(0.0, 1e5));
-  command.add_option("--bearing-deg", given.bearing_deg, "Default: the quickest.")
+  command.add_option("--bearing-deg", given.bearing_deg, "Default: the quickest found.")
       ->check(number_in(-360.0, 360.0));
   command
       .add_option("--aircraft", given.aircraft,

@@ -74,7 +74,8 @@ TEST_F(PlanConnect, ClimbsAndArrivesInTime) {
   const Finished early =
       connect({"--from", "0,0,0", "--to", "600,0,0", "--arrive-s", "30"});
   EXPECT_EQ(early.status, 2);
-  EXPECT_NE(early.err.find("the soonest is 40 s"), std::string::npos) << early.err;
+  EXPECT_NE(early.err.find("the quickest connection takes 40 s"), std::string::npos)
+      << early.err;
 }
 
 TEST_F(PlanConnect, ClimbsBeginAndEndByVerticalTurns) {

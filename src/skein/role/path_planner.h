@@ -56,9 +56,10 @@ struct PathQuery {
 
 /// How planning ended.
 enum class PlanningOutcome : std::uint8_t {
-  kFound,          ///< a path, within the bound that was asked for
+  /// A path: near its bound, the shortest of its kind, or nothing is left to look at.
+  kFound,
   kBudgetEnded,    ///< a path, the best so far; `bound` says how good it must be
-  kNoPath,         ///< none exists for this planner's manoeuvres
+  kNoPath,         ///< none was found, and nothing is left to look at; `reason` says more
   kNothingFound,   ///< the budget ended before the first path
   kStartBlocked,   ///< the start is in a zone, in the ground or in another's room
   kGoalBlocked,    ///< the goal is, whenever it can be reached

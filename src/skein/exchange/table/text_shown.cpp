@@ -70,6 +70,14 @@ std::string shown_time(double seconds) {
                      std::floor(std::fmod(whole, 3600) / 60), std::fmod(whole, 60));
 }
 
+std::string shown_time_below(double seconds) {
+  double digit = 0.01;
+  if (seconds >= 100) digit = 0.1;
+  if (seconds >= 3600) digit = 1;
+  if (seconds >= kInDays) digit = kDay / 10;
+  return shown_time(std::floor(seconds / digit) * digit);
+}
+
 std::string shown_clock(double seconds) {
   if (std::abs(seconds) >= kInDays) return shown_time(seconds);
   if (std::abs(seconds) < 59.5) return fmt::format("{:.0f} s", seconds);

@@ -23,6 +23,9 @@ std::string shown_bearing(double angle);
 /// days", at most "over 100000 days".
 std::string shown_time(double seconds);
 
+/// The same, rounded down: of a time that nothing is below.
+std::string shown_time_below(double seconds);
+
 /// A moment on the run's clock for maps: "45 s", "1:05", "1:00:00".
 std::string shown_clock(double seconds);
 

@@ -342,6 +342,12 @@ TEST(Text, ShowsTimesAndLengths) {
   EXPECT_EQ(shown_time(7390), "2 h 3 min 10 s");
   EXPECT_EQ(shown_time(360000), "4.2 days");
   EXPECT_EQ(shown_time(-1e15), "-over 100000 days");
+  EXPECT_EQ(shown_time_below(83.219), "83.21 s");
+  EXPECT_EQ(shown_time_below(99.999), "99.99 s");
+  EXPECT_EQ(shown_time_below(725.09), "12 min 5.0 s");
+  EXPECT_EQ(shown_time_below(3599.99), "59 min 59.9 s");
+  EXPECT_EQ(shown_time_below(7390.9), "2 h 3 min 10 s");
+  EXPECT_EQ(shown_time_below(364000), "4.2 days");
   EXPECT_EQ(shown_clock(1e15), "over 100000 days");
   EXPECT_EQ(shown_tenths(-0.04), "0.0");
   EXPECT_EQ(shown_tenths(-0.06), "-0.1");

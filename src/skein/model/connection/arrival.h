@@ -11,8 +11,10 @@ namespace skein::model {
 /// How a timed connection ended.
 enum class ArrivalStatus : std::uint8_t {
   kFound,
-  kTooEarly,  ///< nothing of bounded curvature is there by then
-  kGap,       ///< between two lengths that can be flown; later times can be met
+  /// Before the connection's time. Where that is irregular, a flight that is no Dubins
+  /// word may be there by then.
+  kTooEarly,
+  kGap,  ///< between two lengths that can be flown; later times can be met
   /// See ConnectionStatus: wind too strong or bad input; or a time of more than 1e9 turn
   /// radii of flight.
   kNotConnected,

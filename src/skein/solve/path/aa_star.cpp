@@ -42,6 +42,17 @@ constexpr std::array<Pass, 6> kPasses = {{{1, 2.5, 0.25},
                                           {0.25, 1, 0.5},
                                           {0.125, 1, 1}}};
 
+// Whether routes can begin and end along every disc: within their margin none does.
+bool have_room(const std::vector<Zone>& zones, const DetourRequest& request) {
+  return std::all_of(zones.begin(), zones.end(), [&](const Zone& zone) {
+    const auto* disc = std::get_if<Disc>(&zone.area);
+    if (disc == nullptr) return true;
+    const double room = disc->radius + kDetourMargin;
+    return (request.start - disc->centre).norm() >= room &&
+           (request.goal - disc->centre).norm() >= room;
+  });
+}
+
 class Planning {
  public:
   Planning(const PathQuery& query, AirspaceMap& map, const AaStar::Options& options)
@@ -50,11 +61,11 @@ class Planning {
   PlannedPath run();
 
  private:
-  bool good() const {
-    return best_.duration <= best_.bound * (1 + options_.gap) ||
+  bool good() const { return best_.duration <= best_.bound * (1 + options_.gap); }
+  bool done() const {
+    return budget_.ended() || good() || shortest_ ||
            (query_.budget.first && !best_.plan.empty());
   }
-  bool done() const { return budget_.ended() || good() || shortest_; }
   void take(FlightPlan plan);
   void take(std::optional<Trajectory> trajectory);
   void take_direct();
@@ -141,6 +152,7 @@ void Planning::take_detours() {
   request.start_time = query_.start_time;
   request.start_altitude = a;
   request.goal_altitude = b;
+  const bool exact = a == b && !map_.is_timed() && have_room(zones, request);
   // One to have a path, the quickest if that is not too much work; then others.
   for (const Try& t : kAttempts) {
     if (done()) return;
@@ -152,7 +164,7 @@ void Planning::take_detours() {
         detours_around(zones, query_, speed, request, {kDetourMargin, kDetourMargin},
                        budget_.part(kOfDetours));
     budget_.spend(found.expansions);
-    const bool quickest = t.heuristic_weight == 1 && a == b && !map_.is_timed();
+    const bool quickest = t.heuristic_weight == 1 && exact;
     for (std::size_t i = followed_ && t.detours > 1 ? 1 : 0;
          i < found.detours.size() && !done(); ++i)
       follow(found.detours[i], quickest && i == 0);
@@ -243,14 +255,16 @@ PlannedPath Planning::answer() {
   best_.expansions = budget_.expansions();
   if (!best_.plan.empty()) {
     best_.bound = std::min(best_.bound, best_.duration);
-    const bool found = good() || shortest_ || exhausted_ || !options_.manoeuvres;
+    const bool all = exhausted_ || (!options_.manoeuvres && !done());
+    const bool found = good() || shortest_ || all;
     best_.outcome = found ? PlanningOutcome::kFound : PlanningOutcome::kBudgetEnded;
     return std::move(best_);
   }
   const bool all = !budget_.ended() && (exhausted_ || !options_.manoeuvres);
   best_.outcome = all ? PlanningOutcome::kNoPath : PlanningOutcome::kNothingFound;
   best_.reason =
-      all ? "no path was found among the manoeuvres of this planner; all were looked at"
+      all ? "no path was found, and nothing is left to look at; that does not prove that "
+            "there is none"
           : fmt::format("the budget ended after {} expansions, before the first path",
                         best_.expansions);
   return std::move(best_);
@@ -270,8 +284,10 @@ PlannedPath Planning::run() {
   take_direct();
   if (done()) return answer();
   const LowerBound bound = lower_bound(query_, budget_);
-  best_.bound = std::max(best_.bound, bound.time);
-  if (bound.time == math::kInfinity) {
+  const bool parted = bound.time == math::kInfinity;
+  if (!parted) best_.bound = std::max(best_.bound, bound.time);
+  // A path that there is already lies as deep in zones as is allowed.
+  if (parted && best_.plan.empty()) {
     best_.bound = 0;
     best_.outcome = PlanningOutcome::kNoPath;
     best_.reason =

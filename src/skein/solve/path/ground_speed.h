@@ -21,15 +21,22 @@ class GroundSpeed {
   /// Time of an arc over ground [s], from a course on.
   /// @param turned  by how much the course changes [rad], positive right.
   double arc(double radius, double course, double turned) const;
+  /// What the time of an arc may be off by, for each metre of its radius [s/m].
+  double arc_error() const { return arc_error_; }
   double slowest() const { return airspeed_ - wind_.norm(); }
 
  private:
-  // Integral of 1 / v over the course, from 0 to `course`.
+  // 1 / v along a course, and its integral over the course from 0 on.
+  struct Slowness {
+    double integral = 0, here = 0;
+  };
   double slowness(double course) const;
+  void fill_table();
 
   double airspeed_;
   Vec2 wind_;
-  std::vector<double> table_;  // empty without wind
+  std::vector<Slowness> table_;  // empty without wind
+  double arc_error_ = 0;
 };
 
 }  // namespace skein::solve

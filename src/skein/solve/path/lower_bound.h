@@ -13,7 +13,7 @@ struct LowerBound {
 /// The minimum time of a point that may turn at once and keeps out of the zones that hold
 /// at all times and altitudes: straights at the speed over ground along them, and arcs.
 ///
-/// Corners are passed 0.02 m away, which is taken off again.
+/// What corners are passed at (1e-5 m) and sums may be off by is taken off again.
 LowerBound lower_bound(const PathQuery& query, SearchBudget& budget);
 
 }  // namespace skein::solve

@@ -74,11 +74,10 @@ RendezvousResult plan_rendezvous(const RendezvousQuery& query) {
   if (arrivals.status != TimedStatus::kFound) {
     const bool early = arrivals.status == TimedStatus::kTooEarly;
     result.outcome = early ? Outcome::kTooEarly : Outcome::kGap;
-    result.reason =
-        fmt::format("{} at {:.2f} s; {:.2f} s is {}",
-                    early ? "not all can be there" : "somebody cannot arrive",
-                    query.time.value_or(arrivals.earliest), arrivals.earliest,
-                    early ? "the earliest time" : "the next time that was found");
+    result.reason = fmt::format("{} at {:.2f} s; {:.2f} s is the {} time that was found",
+                                early ? "not all can be there" : "somebody cannot arrive",
+                                query.time.value_or(arrivals.earliest), arrivals.earliest,
+                                early ? "earliest" : "next");
     return result;
   }
   result.outcome = Outcome::kPlanned;

@@ -31,11 +31,12 @@ struct TimedFlight {
   TimedStatus status = TimedStatus::kNoConnection;
   FlightPlan plan;      ///< empty unless found
   double airspeed = 0;  ///< [m/s]
-  double earliest = 0;  ///< time of the first arrival that is possible [s]
+  double earliest = 0;  ///< time of the first arrival that was found possible [s]
   double next = 0;  ///< the first time from the asked one on that was found possible [s]
 };
 
-/// The earliest arrival over all allowed airspeeds [s]; infinite when there is no path.
+/// The earliest arrival found over all allowed airspeeds [s]; infinite when there is no
+/// path.
 /// Slower flight turns in less room (same bank), so the fastest is not always first
 /// there.
 double earliest_arrival(const TimedLeg& leg);

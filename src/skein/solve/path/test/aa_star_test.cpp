@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "skein/base/math.h"
+#include "skein/solve/path/lower_bound.h"
 #include "skein/base/random.h"
 #include "skein/model/connection/connection.h"
 #include "skein/solve/path/test/oracle.h"
@@ -141,6 +142,43 @@ TEST(AaStar, GivesTheSameAnswerAgain) {
   for (std::size_t i = 0; i < a.plan.size(); ++i) {
     EXPECT_EQ(a.plan[i].duration, b.plan[i].duration);
     EXPECT_EQ(a.plan[i].p_N, b.plan[i].p_N);
+  }
+}
+
+TEST(AaStar, CallsTheFirstPathNoMoreThanThat) {
+  Airspace airspace;
+  airspace.zones.push_back({Disc{Vec2(700, 30), 200}});
+  airspace.zones.push_back({Disc{Vec2(1400, -50), 250}});
+  PathQuery q = query_over(2000);
+  q.airspace = &airspace;
+  q.wind = Vec2(3, -6);
+  q.budget.first = true;
+  const PlannedPath path = AaStar().plan(q);
+  expect_valid(q, path);
+  EXPECT_GT(path.duration, 1.001 * path.bound);
+  EXPECT_EQ(path.outcome, PlanningOutcome::kBudgetEnded);
+}
+
+// A start or a goal at the rim of a disc has no tangents to it.
+TEST(AaStar, GoesAroundADiscAtWhoseRimItBegins) {
+  for (const Vec2& wind : {Vec2(0, 0), Vec2(4, -3)}) {
+    Airspace airspace;
+    airspace.zones.push_back({Disc{Vec2(0, 150), 150}});
+    PathQuery q = query_over(0);
+    q.goal.p_N.y() = 900;
+    q.start.heading = -0.5;  // away from it
+    q.airspace = &airspace;
+    q.wind = wind;
+    for (const bool back : {false, true}) {
+      SCOPED_TRACE(back);
+      const PlannedPath path = AaStar().plan(q);
+      expect_valid(q, path);
+      EXPECT_NE(path.outcome, PlanningOutcome::kNoPath);
+      SearchBudget budget(q.budget);
+      EXPECT_LT(lower_bound(q, budget).time, path.duration);
+      std::swap(q.start, q.goal);
+      q.goal.heading = 0.5;
+    }
   }
 }
 
