@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bounds and claims of planned paths against computations that share no code with the
 // planner. Prints what was claimed and how many claims are false; exits with 1 when any
 // is.

@@ -8,11 +8,10 @@
 #include <benchmark/benchmark.h>
 
 #include <ctime>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
+#include "skein/base/input_file.h"
 #include "skein/base/random.h"
 #include "skein/exchange/traffic/encounters.h"
 #include "skein/model/well_clear/bands.h"
@@ -41,12 +40,11 @@ std::vector<exchange::Encounter> made_up() {
 std::vector<exchange::Encounter> encounters(const std::string& prefix,
                                             const WellClearConfiguration& c,
                                             bool several) {
-  std::ifstream in(std::string(SKEIN_SHARED_DATA) + "/team/detect/" + prefix +
-                   "_encounters.csv");
+  const auto text = read_file(std::string(SKEIN_SHARED_DATA) + "/team/detect/" + prefix +
+                              "_encounters.csv");
   std::vector<exchange::Encounter> all;
-  if (in) {
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    all = exchange::read_encounters(text, prefix, c).value();
+  if (text) {
+    all = exchange::read_encounters(text.value(), prefix, c).value();
   } else {
     all = made_up();
   }

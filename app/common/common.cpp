@@ -2,14 +2,13 @@
 #include "app/common/common.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include "app/common/commands.h"
 #include "app/common/output.h"
 #include "app/common/trust.h"
 #include "skein/assemble/aircraft/aircraft_file.h"
 #include "skein/assemble/kinds/load_plugin.h"
+#include "skein/base/input_file.h"
 #include "skein/record/store/store_check.h"
 #include "skein/scenario/scenario_file.h"
 
@@ -130,14 +129,9 @@ int say_error(const Error& error) {
 }
 
 Result<void> read_text(const std::filesystem::path& file, std::string& text) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored))
-    return Error{ErrorCode::kBadInput, file.string(), "is a folder, not a file.", ""};
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return Error{ErrorCode::kNotFound, file.string(), "cannot be read.", ""};
-  std::ostringstream all;
-  all << in.rdbuf();  // throws nothing, whatever the file is
-  text = std::move(all).str();
+  auto read = read_file(file);
+  if (!read) return read.error();
+  text = std::move(read).value();
   return {};
 }
 

@@ -55,6 +55,7 @@ std::string shell_quoted(const std::string& text);
 /// or that it was interrupted.
 int say_error(const Error& error);
 
+/// Reads a whole file into `text`. Fails: as read_file().
 Result<void> read_text(const std::filesystem::path& file, std::string& text);
 
 }  // namespace skein::app

@@ -15,6 +15,7 @@
 #include "app/common/output.h"
 #include "skein/assemble/aircraft/aircraft_file.h"
 #include "skein/assemble/aircraft/flight_table.h"
+#include "skein/base/input_file.h"
 #include "skein/base/output_file.h"
 #include "skein/layer/asset/fixed_wing/open_loop.h"
 
@@ -239,15 +240,9 @@ int fly_command(const FlyArguments& arguments, const std::atomic<bool>& stop) {
   std::ifstream file;
   const bool standard_input = arguments.input == "-";
   if (!standard_input) {
-    if (std::filesystem::is_directory(arguments.input)) {
-      complain("error: {}: is a folder, not a table.\n", arguments.input);
-      return kBadUsage;
-    }
-    file.open(arguments.input, std::ios::binary);
-    if (!file) {
-      complain("error: {}: cannot be read.\n", arguments.input);
-      return kBadUsage;
-    }
+    auto opened = open_input(arguments.input);
+    if (!opened) return say_error(opened.error());
+    file = std::move(opened).value();
   }
   FlightTableReader table(standard_input ? std::cin : file,
                           standard_input ? "standard input" : arguments.input);

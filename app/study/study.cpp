@@ -15,6 +15,7 @@
 #include "app/study/parts.h"
 #include "skein/assemble/world/recorded_scenario.h"
 #include "skein/assemble/world/run.h"
+#include "skein/base/input_file.h"
 #include "skein/base/log.h"
 #include "skein/base/output_file.h"
 #include "skein/campaign/batch/study_summary.h"
@@ -40,8 +41,9 @@ int evaluate_rows(const std::string& file,
                                                  std::ostream&)) {
   std::ifstream stored;
   if (file != "-") {
-    stored.open(file);
-    if (!stored) return say_error({ErrorCode::kNotFound, file, "cannot be read.", ""});
+    auto opened = open_input(file);
+    if (!opened) return say_error(opened.error());
+    stored = std::move(opened).value();
   }
   const auto problems =
       evaluate(file == "-" ? std::cin : stored, file == "-" ? "stdin" : file, std::cout);

@@ -3,12 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <system_error>
 
+#include "skein/base/input_file.h"
 #include "skein/scenario/parse.h"
 #include "skein/scenario/read.h"
 #include "skein/scenario/write.h"
@@ -27,28 +26,14 @@ Reading finished(Problems& problems, const Document& document) {
 // The bytes of a file; an empty optional and a reason when that is impossible.
 std::optional<std::string> load(const std::filesystem::path& path,
                                 const std::string& name, std::string& reason) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found) {
-    reason = "there is no such file.";
-  } else if (!std::filesystem::exists(status)) {
-    reason = fmt::format("cannot be read: {}.", error.message());
-  } else if (std::filesystem::is_directory(status)) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
     reason = fmt::format("is a folder, not {} file.", name);
-  } else {
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) {
-      reason = fmt::format("cannot be read: {}.", std::strerror(errno));
-      return std::nullopt;
-    }
-    std::string text(ParseLimits::kBytes + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
-    if (stream.eof()) return text;
-    reason = stream ? fmt::format("more than {} bytes.", ParseLimits::kBytes)
-                    : "cannot be read.";
+    return std::nullopt;
   }
+  auto text = read_file(path, ParseLimits::kBytes);
+  if (text) return std::move(text).value();
+  reason = text.error().message;
   return std::nullopt;
 }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 /** GeoJSON (RFC 7946), KML (2.2) and .plan of QGroundControl: written here, read by the server. */
 import type { Frame } from "../../common/frames";
+import { cutArea, cutLine, type LngLat } from "./antimeridian";
 import type { Circle, Feature, Purpose, Ring } from "./features";
 
 type Position = [number, number, ...number[]];
 
-const toPosition = (frame: Frame, [north, east]: [number, number]): Position => {
-  const [lng, lat] = frame.toLngLat(north, east);
-  return [Number(lng.toFixed(8)), Number(lat.toFixed(8))];
-};
+const rounded = ([lng, lat]: LngLat): Position => [Number(lng.toFixed(8)), Number(lat.toFixed(8))];
+const toPosition = (frame: Frame, [north, east]: [number, number]): Position => rounded(frame.toLngLat(north, east));
 
 const closed = <P>(ring: P[]): P[] => (ring.length > 0 ? [...ring, ring[0]] : ring);
 
@@ -25,36 +24,32 @@ function turned(ring: Position[], hole: boolean): Position[] {
 // What a shape is for goes along; nothing is said of one of which nobody has said it.
 const said = ({ purpose, properties }: Feature): Feature["properties"] => (purpose ? { purpose, ...properties } : properties);
 
+/** A line or an area, or several where it crosses 180 degrees of longitude. */
+function lineGeometry(points: Ring, frame: Frame) {
+  const lines = cutLine(points, frame).map((part) => part.map(rounded));
+  return lines.length === 1 ? { type: "LineString", coordinates: lines[0] } : { type: "MultiLineString", coordinates: lines };
+}
+
+function areaGeometry(rings: Ring[], frame: Frame) {
+  const polygons = cutArea(rings, frame).map((polygon) => polygon.map((ring, k) => closed(turned(ring.map(rounded), k > 0))));
+  return polygons.length === 1 ? { type: "Polygon", coordinates: polygons[0] } : { type: "MultiPolygon", coordinates: polygons };
+}
+
 export function toGeoJson(features: Feature[], frame: Frame): string {
-  return JSON.stringify(
-    {
-      type: "FeatureCollection",
-      features: features
-        .map((each) => ({ ...each, properties: said(each) }))
-        .map(({ name, geometry, properties }) => ({
-          type: "Feature",
-          properties: { name, ...properties },
-          geometry:
-            geometry.kind === "point"
-              ? { type: "Point", coordinates: toPosition(frame, geometry.at) }
-              : geometry.kind === "line"
-                ? { type: "LineString", coordinates: geometry.points.map((p) => toPosition(frame, p)) }
-                : {
-                    type: "Polygon",
-                    coordinates: geometry.rings.map((ring, k) =>
-                      closed(
-                        turned(
-                          ring.map((p) => toPosition(frame, p)),
-                          k > 0,
-                        ),
-                      ),
-                    ),
-                  },
-        })),
-    },
-    null,
-    1,
-  );
+  const written = features.map((each) => {
+    const { name, geometry } = each;
+    return {
+      type: "Feature",
+      properties: { name, ...said(each) },
+      geometry:
+        geometry.kind === "point"
+          ? { type: "Point", coordinates: toPosition(frame, geometry.at) }
+          : geometry.kind === "line"
+            ? lineGeometry(geometry.points, frame)
+            : areaGeometry(geometry.rings, frame),
+    };
+  });
+  return JSON.stringify({ type: "FeatureCollection", features: written }, null, 1);
 }
 
 const escape = (text: string) => text.replace(/[<>&"']/g, (c) => `&#${c.charCodeAt(0)};`);

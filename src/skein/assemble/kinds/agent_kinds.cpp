@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "skein/assemble/kinds/kinds_of.h"
 #include "skein/assemble/kinds/ranges.h"
 #include "skein/assemble/kinds/task_kinds.h"
+#include "skein/base/input_file.h"
 #include "skein/exchange/traffic/well_clear_json.h"
 #include "skein/layer/reasoning/agent/commanded/commanded_agent.h"
 #include "skein/layer/reasoning/agent/onboard_agent.h"
@@ -293,13 +292,10 @@ Result<std::shared_ptr<const model::WellClearConfiguration>> well_clear_of(
     error.place = "aircraft.agent.avoidance.well_clear_file: " + error.place;
     return error;
   };
-  std::ifstream file(choice.well_clear_file, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file)
-    return bad({ErrorCode::kUnavailable, choice.well_clear_file, "cannot be read.", ""});
+  const auto text = read_file(choice.well_clear_file);
+  if (!text) return bad(text.error());
   auto read =
-      exchange::well_clear_configuration_from_json(text.str(), choice.well_clear_file);
+      exchange::well_clear_configuration_from_json(text.value(), choice.well_clear_file);
   if (!read) return bad(read.error());
   return Shared(std::make_shared<const WellClearConfiguration>(std::move(read).value()));
 }

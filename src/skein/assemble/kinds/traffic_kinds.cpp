@@ -198,6 +198,16 @@ void note_log(const exchange::TrafficLog& log, const std::string& file,
   if (log.repeated > 0)
     warnings.push_back(
         fmt::format("{}: {} rows repeat an old position, left out.", file, log.repeated));
+  if (log.barometric > 0)
+    warnings.push_back(
+        fmt::format("{}: {} rows are flown by barometric altitude; most rows of their "
+                    "aircraft have no other.",
+                    file, log.barometric));
+  if (log.other_datum > 0)
+    warnings.push_back(fmt::format(
+        "{}: {} rows lack the altitude that their aircraft is flown by (geometric or "
+        "barometric), left out.",
+        file, log.other_datum));
   if (log.far > 0)
     warnings.push_back(fmt::format(
         "{}: {} rows lie over {:.0f} km from the origin (up to {:.0f} km), left out.",

@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <span>
 #include <sstream>
 
+#include "skein/base/input_file.h"
 #include "skein/campaign/batch/csv_rows.h"
 
 namespace skein::campaign {
@@ -124,16 +123,13 @@ bool is_of_encounters(const std::string& text) {
 
 Result<std::vector<AvoidanceCase>> read_avoidance_cases(
     const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in)
-    return Error{ErrorCode::kUnavailable, file.string(), "cannot be read.",
-                 "Is the path right?"};
-  return read_avoidance_cases(in, file.filename().string());
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  return parse_avoidance_cases(text.value(), file.filename().string());
 }
 
-Result<std::vector<AvoidanceCase>> read_avoidance_cases(std::istream& in,
-                                                        const std::string& name) {
-  const std::string text(std::istreambuf_iterator<char>(in), {});
+Result<std::vector<AvoidanceCase>> parse_avoidance_cases(const std::string& text,
+                                                         const std::string& name) {
   const bool encounters = is_of_encounters(text);
   std::istringstream rows(text);
   std::vector<AvoidanceCase> cases;

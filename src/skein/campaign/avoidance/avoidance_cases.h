@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,11 +47,11 @@ struct AvoidanceCase {
 ///   int_ve_mps, int_vd_mps, turn_from_s, turn_for_s, turn_rate_radps, climb_vd_mps` (no
 ///   turn where `turn_from_s` is empty). A row for each case; the own flight is level.
 ///
-/// Fails: kBadInput with line and column; kUnavailable when the file cannot be read.
+/// Fails: kBadInput with line and column; as read_file().
 Result<std::vector<AvoidanceCase>> read_avoidance_cases(
     const std::filesystem::path& file);
 /// The same of a text. @param name  what messages call it.
-Result<std::vector<AvoidanceCase>> read_avoidance_cases(std::istream& in,
-                                                        const std::string& name);
+Result<std::vector<AvoidanceCase>> parse_avoidance_cases(const std::string& text,
+                                                         const std::string& name);
 
 }  // namespace skein::campaign

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <sstream>
 
 #include "skein/campaign/avoidance/avoidance_watch.h"
 
@@ -20,8 +19,7 @@ constexpr const char* kEncounterHeader =
     "turn_for_s,turn_rate_radps,climb_vd_mps\n";
 
 auto cases_of(const std::string& text) {
-  std::istringstream in(text);
-  return read_avoidance_cases(in, "cases");
+  return parse_avoidance_cases(text, "cases");
 }
 
 std::string problem_of(const std::string& text) {

@@ -12,12 +12,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <memory>
 #include <system_error>
 
+#include "skein/base/input_file.h"
 #include "skein/base/output_file.h"
+#include "skein/geo/antimeridian.h"
 #include "skein/geo/gdal/gdal_guard.h"
 #include "skein/geo/gdal/gdal_handles.h"
 
@@ -44,20 +45,6 @@ struct DestroyGisFeature {
   }
 };
 
-// The smallest outer ring that a hole lies in.
-std::size_t outer_of(const geo::Ring& hole, const std::vector<geo::Ring>& outer) {
-  std::size_t best = 0;
-  double smallest = 1e300;
-  for (std::size_t k = 0; k < outer.size(); ++k) {
-    const double area = geo::signed_area(outer[k]);
-    if (area < smallest && geo::contains(outer[k], hole.front())) {
-      smallest = area;
-      best = k;
-    }
-  }
-  return best;
-}
-
 class GisWriter {
  public:
   GisWriter(const geo::LocalFrame& frame, const GisFormat& format)
@@ -74,14 +61,11 @@ class GisWriter {
     geo::GdalDataset dataset(
         GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (!dataset) return failed(file);
-    const bool lines =
-        !features.empty() && features.front().kind == GisFeature::Kind::kLine;
     char rfc[] = "RFC7946=YES";
     char* options[] = {rfc, nullptr};
     const bool json = format_.driver == std::string_view("GeoJSON");
     OGRLayerH made = GDALDatasetCreateLayer(dataset.get(), layer.c_str(), system_.get(),
-                                            lines ? wkbLineString : wkbMultiPolygon,
-                                            json ? options : nullptr);
+                                            type_of(features), json ? options : nullptr);
     if (!made) return failed(file);
     if (!features.empty())
       for (const auto& [name, value] : features.front().fields) {
@@ -111,44 +95,55 @@ class GisWriter {
       if (!number) OGR_F_SetFieldString(row, at, std::get<std::string>(value).c_str());
     }
     OGRGeometryH shape =
-        feature.kind == GisFeature::Kind::kLine ? line(feature) : area(feature);
+        feature.kind == GisFeature::Kind::kLine ? lines(feature) : areas(feature);
     OGR_F_SetGeometryDirectly(static_cast<OGRFeatureH>(made.get()), shape);
     return OGR_L_CreateFeature(layer, static_cast<OGRFeatureH>(made.get())) ==
            OGRERR_NONE;
   }
 
-  void add_points(OGRGeometryH to, const geo::Ring& points) const {
-    for (const Vec2& p : points) {
-      const geo::Geodetic at = frame_.from_plane(p);
-      OGR_G_AddPoint_2D(to, at.longitude_deg, at.latitude_deg);
+  static void add_point(OGRGeometryH to, const geo::Geodetic& at) {
+    OGR_G_AddPoint_2D(to, at.longitude_deg, at.latitude_deg);
+  }
+
+  std::vector<std::vector<geo::CutPoint>> parts_of(const GisFeature& line) const {
+    std::vector<Vec2> points;
+    for (const geo::Ring& each : line.rings)
+      points.insert(points.end(), each.begin(), each.end());
+    return geo::cut_line(points, frame_);
+  }
+
+  // Lines are several in one where any of them is cut.
+  OGRwkbGeometryType type_of(const std::vector<GisFeature>& features) {
+    if (features.empty() || features.front().kind == GisFeature::Kind::kArea)
+      return wkbMultiPolygon;
+    several_ = std::any_of(features.begin(), features.end(), [&](const GisFeature& each) {
+      return parts_of(each).size() > 1;
+    });
+    return several_ ? wkbMultiLineString : wkbLineString;
+  }
+
+  OGRGeometryH lines(const GisFeature& feature) const {
+    OGRGeometryH all = OGR_G_CreateGeometry(wkbMultiLineString);
+    for (const std::vector<geo::CutPoint>& part : parts_of(feature)) {
+      OGRGeometryH made = OGR_G_CreateGeometry(wkbLineString);
+      for (const geo::CutPoint& each : part) add_point(made, each.at);
+      OGR_G_AddGeometryDirectly(all, made);
     }
+    return several_ ? all : OGR_G_ForceToLineString(all);
   }
 
-  OGRGeometryH line(const GisFeature& feature) const {
-    OGRGeometryH made = OGR_G_CreateGeometry(wkbLineString);
-    for (const geo::Ring& points : feature.rings) add_points(made, points);
-    return made;
-  }
-
-  OGRGeometryH area(const GisFeature& feature) const {
-    std::vector<geo::Ring> outer, holes;
-    for (const geo::Ring& ring : feature.rings)
-      (geo::signed_area(ring) > 0 ? outer : holes).push_back(ring);
+  OGRGeometryH areas(const GisFeature& feature) const {
     OGRGeometryH all = OGR_G_CreateGeometry(wkbMultiPolygon);
-    std::vector<OGRGeometryH> parts;
-    const auto add = [this](OGRGeometryH part, const geo::Ring& ring) {
-      OGRGeometryH made = OGR_G_CreateGeometry(wkbLinearRing);
-      add_points(made, ring);
-      add_points(made, {ring.front()});
-      OGR_G_AddGeometryDirectly(part, made);
-    };
-    for (const geo::Ring& ring : outer) {
-      parts.push_back(OGR_G_CreateGeometry(wkbPolygon));
-      add(parts.back(), ring);
+    for (const geo::PlacePolygon& polygon : geo::cut_region(feature.rings, frame_)) {
+      OGRGeometryH part = OGR_G_CreateGeometry(wkbPolygon);
+      for (const std::vector<geo::Geodetic>& ring : polygon) {
+        OGRGeometryH made = OGR_G_CreateGeometry(wkbLinearRing);
+        for (const geo::Geodetic& each : ring) add_point(made, each);
+        add_point(made, ring.front());
+        OGR_G_AddGeometryDirectly(part, made);
+      }
+      OGR_G_AddGeometryDirectly(all, part);
     }
-    for (const geo::Ring& hole : holes)
-      if (!outer.empty()) add(parts[outer_of(hole, outer)], hole);
-    for (OGRGeometryH part : parts) OGR_G_AddGeometryDirectly(all, part);
     return all;
   }
 
@@ -161,6 +156,7 @@ class GisWriter {
   const geo::LocalFrame& frame_;
   const GisFormat& format_;
   std::unique_ptr<void, DestroySystem> system_;
+  bool several_ = false;  // lines in one feature
 };
 
 // Moves all files of a folder to where they belong.
@@ -210,14 +206,13 @@ Result<std::string> gis_bytes(const std::vector<GisFeature>& features,
     return Error{ErrorCode::kBadInput, ending, "is no ending that is known.",
                  "Allowed: .geojson, .kml, .gpkg, .shp.zip."};
   const PrivateFolder folder;
+  if (folder.path().empty())
+    return Error{ErrorCode::kUnavailable, fs::temp_directory_path().string(),
+                 fmt::format("cannot be written: {}.", std::strerror(errno)), ""};
   const fs::path file = folder.path() / (layer + ending);
   if (auto done = GisWriter(frame, *format).write(features, layer, file); !done)
     return done.error();
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(in)), {});
-  if (bytes.empty())
-    return Error{ErrorCode::kUnavailable, file.string(), "cannot be read again.", ""};
-  return bytes;
+  return read_file(file);
 }
 
 Result<void> write_gis(const std::vector<GisFeature>& features, const std::string& layer,

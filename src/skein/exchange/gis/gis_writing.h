@@ -29,7 +29,8 @@ struct GisFeature {
 
 /// Writes features in degrees of WGS 84: GeoJSON (.geojson), KML (.kml), GeoPackage
 /// (.gpkg) or shapefile (.shp with its companions), by the file's ending. What stood
-/// there is replaced only when everything is written.
+/// there is replaced only when everything is written. Lines and areas that cross 180
+/// degrees of longitude are cut there (geo/antimeridian.h).
 /// @param layer  name of the features, for formats that have layers.
 /// Fails: kBadInput for another ending; kUnavailable when it cannot be written.
 Result<void> write_gis(const std::vector<GisFeature>& features, const std::string& layer,

@@ -11,10 +11,9 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
+#include "skein/base/input_file.h"
 #include "skein/base/valid_text.h"
 #include "skein/exchange/gis/ground_plan.h"
 #include "skein/exchange/gis/map_geometry.h"
@@ -170,6 +169,7 @@ class Reader {
         return good;
       if (rule_of_rings_) against_ += geometry.clockwise();
       join_touching_areas(geometry.features());
+      if (frame_ != nullptr) join_cut_lines(geometry.features(), *frame_);
       for (MapFeature& each : geometry.features()) features_.push_back(std::move(each));
     }
   }
@@ -251,10 +251,9 @@ Result<std::vector<MapFeature>> read_plan_file(const std::string& file,
     return Error{ErrorCode::kBadInput, file,
                  "a .plan has latitudes and longitudes; the place on Earth is not known.",
                  "Give --origin."};
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return Error{ErrorCode::kNotFound, file, "is not there.", ""};
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return read_ground_plan(text, file, *frame, warnings);
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  return read_ground_plan(text.value(), file, *frame, warnings);
 }
 
 }  // namespace

@@ -66,6 +66,25 @@ void join_touching_areas(std::vector<MapFeature>& parts) {
   parts = {std::move(joined)};
 }
 
+void join_cut_lines(std::vector<MapFeature>& parts, const geo::LocalFrame& frame) {
+  constexpr double kSamePlace = 0.001;  // [m]
+  constexpr double kOnIt = 1e-8;        // of longitude [deg]
+  const auto join = [&](MapFeature& line, const MapFeature& next) {
+    if (line.kind != MapFeature::Kind::kLine || next.kind != MapFeature::Kind::kLine)
+      return false;
+    const Vec2 end = line.points.back();
+    if ((next.points.front() - end).norm() > kSamePlace ||
+        180 - std::abs(frame.from_plane(end).longitude_deg) > kOnIt)
+      return false;
+    line.points.insert(line.points.end(), next.points.begin() + 1, next.points.end());
+    return true;
+  };
+  std::vector<MapFeature> joined;
+  for (MapFeature& each : parts)
+    if (joined.empty() || !join(joined.back(), each)) joined.push_back(std::move(each));
+  parts = std::move(joined);
+}
+
 Error GeometryReader::error(const std::string& message, const std::string& hint) const {
   return {ErrorCode::kBadInput, common_.place, message, hint};
 }

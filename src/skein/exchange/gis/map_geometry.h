@@ -13,6 +13,10 @@ namespace skein::exchange {
 /// is where they do not make up one area.
 void join_touching_areas(std::vector<MapFeature>& parts);
 
+/// Makes one line of those among the parts of one feature each of which ends where the
+/// next begins, at 180 degrees of longitude, where RFC 7946 cuts lines.
+void join_cut_lines(std::vector<MapFeature>& parts, const geo::LocalFrame& frame);
+
 /// Takes a geometry of GDAL apart into features that have the properties of `common`.
 class GeometryReader {
  public:

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "skein/exchange/plan/samples.h"
 #include "skein/exchange/table/formats.h"
 #include "skein/exchange/table/writers.h"
+#include "skein/geo/antimeridian.h"
 #include "skein/geo/vec.h"
 
 namespace skein::exchange {
@@ -39,6 +41,9 @@ class GeoJsonWriter {
     const geo::Geodetic at = frame_.from_plane(p);
     return {at.longitude_deg, at.latitude_deg};
   }
+  static Json on_map(const geo::Geodetic& at) {
+    return {at.longitude_deg, at.latitude_deg};
+  }
   Json in_space(const Vec3& p) const {
     Json at = on_map(p.head<2>());
     if (document_.has_altitude) at.push_back(-p.z());
@@ -54,15 +59,48 @@ class GeoJsonWriter {
     features_.push_back(std::move(feature));
   }
 
+  // The points of a line with what is said of each.
+  struct Line {
+    Json points = Json::array(), times = Json::array(), headings = Json::array();
+  };
+
+  // One line, or several where it crosses 180 degrees of longitude.
+  std::vector<Line> lines_of(const std::vector<FlightSample>& moments) const {
+    std::vector<Vec2> points;
+    for (const FlightSample& each : moments) points.push_back(each.moment.p_N.head<2>());
+    std::vector<Line> lines;
+    for (const std::vector<geo::CutPoint>& part : geo::cut_line(points, frame_)) {
+      Line& line = lines.emplace_back();
+      for (const geo::CutPoint& each : part) {
+        const FlightSample& from = moments[each.before];
+        const FlightSample& to = moments[each.share > 0 ? each.before + 1 : each.before];
+        const auto between = [&](double a, double b) { return a + each.share * (b - a); };
+        Json at = on_map(each.at);
+        if (document_.has_altitude)
+          at.push_back(-between(from.moment.p_N.z(), to.moment.p_N.z()));
+        line.points.push_back(std::move(at));
+        line.times.push_back(between(from.time, to.time));
+        line.headings.push_back(
+            wrapped_deg(between(from.moment.heading, to.moment.heading)));
+      }
+    }
+    return lines;
+  }
+
   void add_plan(const NamedPlan& plan) {
     for (std::size_t k = 0; k < plan.plan.size(); ++k) {
       const FlightElement& e = plan.plan[k];
-      Json line = Json::array(), times = Json::array(), headings = Json::array();
-      for (const FlightSample& each : samples(e, options_.tolerance)) {
-        line.push_back(in_space(each.moment.p_N));
-        times.push_back(each.time);
-        headings.push_back(wrapped_deg(each.moment.heading));
+      std::vector<Line> lines = lines_of(samples(e, options_.tolerance));
+      Line all;
+      for (Line& each : lines) {
+        all.points.push_back(std::move(each.points));
+        all.times.push_back(std::move(each.times));
+        all.headings.push_back(std::move(each.headings));
       }
+      const bool whole = lines.size() == 1;
+      if (whole)
+        all = {Json(all.points.front()), Json(all.times.front()),
+               Json(all.headings.front())};
       Json is = {{"what", "element"}, {"plan", plan.name}};
       if (!plan.word.empty()) is["word"] = plan.word;
       is["element"] = k;
@@ -76,18 +114,34 @@ class GeoJsonWriter {
       if (e.climb_acceleration != 0) is["climb_mps2"] = e.climb_acceleration;
       is["wind_north_mps"] = e.wind.x();
       is["wind_east_mps"] = e.wind.y();
-      is["times_s"] = std::move(times);
-      is["headings_deg"] = std::move(headings);
-      add("LineString", std::move(line), std::move(is));
+      is["times_s"] = std::move(all.times);
+      is["headings_deg"] = std::move(all.headings);
+      add(whole ? "LineString" : "MultiLineString", std::move(all.points), std::move(is));
     }
   }
 
   // RFC 7946 wants outer rings counter-clockwise; ours are clockwise.
-  Json closed(const geo::Ring& ring) const {
+  static Json closed(const std::vector<geo::Geodetic>& ring) {
     Json corners = Json::array();
-    for (auto p = ring.rbegin(); p != ring.rend(); ++p) corners.push_back(on_map(*p));
-    if (!ring.empty()) corners.push_back(on_map(ring.back()));
-    return Json::array({corners});
+    for (auto at = ring.rbegin(); at != ring.rend(); ++at) corners.push_back(on_map(*at));
+    corners.push_back(on_map(ring.back()));
+    return corners;
+  }
+
+  // One polygon, or several where it crosses 180 degrees of longitude.
+  void add_area(geo::Ring ring, Json is) {
+    if (geo::signed_area(ring) < 0) std::reverse(ring.begin(), ring.end());
+    Json polygons = Json::array();
+    for (const geo::PlacePolygon& polygon : geo::cut_region({ring}, frame_)) {
+      Json rings = Json::array();
+      for (const std::vector<geo::Geodetic>& each : polygon)
+        rings.push_back(closed(each));
+      polygons.push_back(std::move(rings));
+    }
+    if (polygons.size() == 1)
+      add("Polygon", Json(polygons.front()), std::move(is));
+    else if (!polygons.empty())
+      add("MultiPolygon", std::move(polygons), std::move(is));
   }
 
   static void add_limits(const Zone& zone, Json& is) {
@@ -105,22 +159,24 @@ class GeoJsonWriter {
       is["radius_m"] = disc->radius;
       add("Point", on_map(disc->centre), std::move(is));
     } else {
-      add("Polygon", closed(std::get<geo::Ring>(zone.area)), std::move(is));
+      add_area(std::get<geo::Ring>(zone.area), std::move(is));
     }
   }
 
   void add_shape(const Shape& shape) {
     const char* const what = shape.left_out ? "hole" : shape.closed ? "area" : "line";
     Json is = {{"what", what}, {"name", shape.name}};
-    if (shape.closed) {
-      geo::Ring ring = shape.points;
-      if (geo::signed_area(ring) < 0) std::reverse(ring.begin(), ring.end());
-      add("Polygon", closed(ring), std::move(is));
-      return;
+    if (shape.closed) return add_area(shape.points, std::move(is));
+    Json lines = Json::array();
+    for (const std::vector<geo::CutPoint>& part : geo::cut_line(shape.points, frame_)) {
+      Json line = Json::array();
+      for (const geo::CutPoint& each : part) line.push_back(on_map(each.at));
+      lines.push_back(std::move(line));
     }
-    Json line = Json::array();
-    for (const Vec2& p : shape.points) line.push_back(on_map(p));
-    add("LineString", std::move(line), std::move(is));
+    if (lines.size() == 1)
+      add("LineString", Json(lines.front()), std::move(is));
+    else
+      add("MultiLineString", std::move(lines), std::move(is));
   }
 
   void add_mark(const Mark& mark) {

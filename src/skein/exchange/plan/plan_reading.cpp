@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <string>
 
+#include "skein/base/input_file.h"
 #include "skein/exchange/table/csv_cells.h"
 #include "skein/model/path/flight_plan.h"
 
@@ -71,14 +70,20 @@ class GeoJsonPlan {
     const std::string name = is.value("plan", std::string());
     if (!plan_name_) plan_name_ = name;
     if (name != *plan_name_) return true;  // of another flight
-    const Json& start = feature.at("geometry").at("coordinates").at(0);
+    // In parts where the element crosses 180 degrees of longitude.
+    const auto first_of = [&](const Json& list) -> const Json& {
+      const Json& geometry = feature.at("geometry");
+      const bool parts = geometry.at("type").get<std::string>() == "MultiLineString";
+      return parts ? list.at(0).at(0) : list.at(0);
+    };
+    const Json& start = first_of(feature.at("geometry").at("coordinates"));
     FlightElement e;
     const Vec2 at = frame_.to_plane(start.at(1).get<double>(), start.at(0).get<double>());
     has_altitude = has_altitude && start.size() > 2;
     e.p_N = {at.x(), at.y(), start.size() > 2 ? -start.at(2).get<double>() : 0};
     e.start = is.at("start_s").get<double>();
     e.duration = is.at("duration_s").get<double>();
-    e.heading = geo::radians(is.at("headings_deg").at(0).get<double>());
+    e.heading = geo::radians(first_of(is.at("headings_deg")).get<double>());
     e.airspeed = is.at("airspeed_mps").get<double>();
     e.climb_rate = is.at("climb_mps").get<double>();
     e.climb_acceleration = is.value("climb_mps2", 0.0);
@@ -238,15 +243,10 @@ Result<FlightPlan> read_plan(const std::filesystem::path& file,
   const bool csv = ending == ".csv";
   if (!csv && ending != ".geojson" && ending != ".json")
     return wrong(place, "plans are read from .geojson, .json and .csv files.");
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    return Error{
-        std::filesystem::exists(file) ? ErrorCode::kUnavailable : ErrorCode::kNotFound,
-        place, "the file cannot be opened.", ""};
-  std::ostringstream content;
-  content << in.rdbuf();
-  return csv ? plan_from_csv(content.str(), place, frame)
-             : plan_from_geojson(content.str(), place, frame);
+  const auto content = read_file(file);
+  if (!content) return content.error();
+  return csv ? plan_from_csv(content.value(), place, frame)
+             : plan_from_geojson(content.value(), place, frame);
 }
 
 }  // namespace skein::exchange

@@ -58,6 +58,7 @@ TEST(TrafficLog, ReadsAnAdsBLogAsOpenSkyHasIt) {
   EXPECT_NEAR(first.places[0].p_N.y(), 0, 1e-6);
   EXPECT_EQ(first.places[0].p_N.z(), -310);
   EXPECT_EQ(log.value().flights[1].places[0].p_N.z(), -400) << "the other altitude";
+  EXPECT_EQ(log.value().barometric, 1u);
 }
 
 TEST(TrafficLog, APositionThatIsRepeatedIsOld) {
@@ -76,6 +77,60 @@ TEST(TrafficLog, APositionThatIsRepeatedIsOld) {
       "1750000000,50,14,300,60\n1750000001,50,14,300,60\n1750000002,50,14,300,0\n");
   ASSERT_TRUE(speeds) << speeds.error().text();
   EXPECT_EQ(speeds.value().repeated, 1u);
+}
+
+// Geometric and barometric altitudes differ by 150 m here.
+TEST(TrafficLog, AnAircraftFliesByAltitudesOfOneDatum) {
+  const auto log = parse(
+      "time,icao24,lat,lon,geoaltitude,baroaltitude\n"
+      "1750000000,geometric,50,14,1000,850\n"
+      "1750000000,barometric,50,14,,850\n"
+      "1750000000,only,50,14,,850\n"
+      "1750000010,geometric,50.01,14,,850\n"
+      "1750000010,barometric,50.01,14,1000,850\n"
+      "1750000020,geometric,50.02,14,1000,850\n"
+      "1750000020,barometric,50.02,14,,851\n"
+      "1750000030,geometric,50.03,14,1002,\n");
+  ASSERT_TRUE(log) << log.error().text();
+  const std::vector<LoggedFlight>& flights = log.value().flights;
+  ASSERT_EQ(flights.size(), 3u);
+  const auto expect = [&](std::size_t i, AltitudeDatum datum,
+                          const std::vector<std::pair<double, double>>& places) {
+    EXPECT_EQ(flights[i].datum, datum) << flights[i].id;
+    ASSERT_EQ(flights[i].places.size(), places.size()) << flights[i].id;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      EXPECT_EQ(flights[i].places[k].time, places[k].first) << flights[i].id;
+      EXPECT_EQ(flights[i].places[k].p_N.z(), -places[k].second) << flights[i].id;
+    }
+  };
+  expect(0, AltitudeDatum::kGeometric, {{0, 1000}, {20, 1000}, {30, 1002}});
+  expect(1, AltitudeDatum::kBarometric, {{0, 850}, {10, 850}, {20, 851}});
+  expect(2, AltitudeDatum::kBarometric, {{0, 850}});
+  EXPECT_EQ(log.value().other_datum, 1u);
+  EXPECT_EQ(log.value().barometric, 4u);
+  EXPECT_EQ(log.value().left_out, 0u);
+}
+
+TEST(TrafficLog, AltitudesAboveTheSeaComeFirst) {
+  const auto log = parse(
+      "time_s,north_m,east_m,altitude_ft,geoaltitude\n"
+      "0,0,0,1000,400\n"
+      "1,50,0,,400\n"
+      "2,100,0,1000,\n"
+      "3,150,0,,\n");
+  ASSERT_TRUE(log) << log.error().text();
+  const LoggedFlight& flight = log.value().flights.front();
+  EXPECT_EQ(flight.datum, AltitudeDatum::kSeaLevel);
+  ASSERT_EQ(flight.places.size(), 2u);
+  EXPECT_NEAR(flight.places[1].p_N.z(), -304.8, 1e-9);
+  EXPECT_EQ(log.value().other_datum, 1u);
+  EXPECT_EQ(log.value().left_out, 1u);
+}
+
+TEST(TrafficLog, IsNoFolder) {
+  const auto log = read_traffic_log(std::filesystem::temp_directory_path(), {frame(), 0});
+  ASSERT_FALSE(log);
+  EXPECT_NE(log.error().text().find("is a folder, not a file."), std::string::npos);
 }
 
 TEST(TrafficLog, CellsMayMeanNoneAndColumnsNothing) {

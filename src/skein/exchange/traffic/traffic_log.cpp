@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <map>
+#include <tuple>
 #include <utility>
 
+#include "skein/base/input_file.h"
 #include "skein/exchange/table/csv_cells.h"
 #include "skein/geo/place_limits.h"
 
@@ -77,8 +78,8 @@ constexpr std::array kLogNames = {
     LogName{"serials", LogColumn::kOther},
 };
 
-constexpr double kFoot = 0.3048;                     // [m]
-constexpr std::uintmax_t kLargestLog = 200'000'000;  // [bytes]
+constexpr double kFoot = 0.3048;                  // [m]
+constexpr std::size_t kLargestLog = 200'000'000;  // [bytes]
 constexpr std::size_t kMaxIdLength = 40;
 constexpr double kStanding = 2;  // slower, an aircraft may be at one place [m/s]
 
@@ -131,6 +132,22 @@ constexpr LogRange log_range(LogColumn column) {
   }
 }
 
+// Of one row, by datum; up [m].
+using Altitudes = std::array<std::optional<double>, kAltitudeData>;
+
+// The datum that an aircraft flies by.
+AltitudeDatum datum_of(const std::vector<Altitudes>& rows) {
+  std::array<std::size_t, kAltitudeData> count{};
+  for (const Altitudes& row : rows)
+    for (std::size_t d = 0; d < kAltitudeData; ++d) count[d] += row[d] ? 1 : 0;
+  std::size_t best = 0;
+  for (std::size_t d = 0; d < kAltitudeData; ++d) {
+    if (2 * count[d] >= rows.size()) return static_cast<AltitudeDatum>(d);
+    if (count[d] > count[best]) best = d;
+  }
+  return static_cast<AltitudeDatum>(best);
+}
+
 using LogCells = std::vector<std::string_view>;  // of a row, by its columns
 using LogNumber = std::optional<double>;
 
@@ -163,6 +180,8 @@ class LogReader {
       return Error{ErrorCode::kBadInput, name_,
                    fmt::format("none of its {} rows has a place in the air.", log_.rows),
                    ""};
+    for (std::size_t i = 0; i < log_.flights.size(); ++i)
+      settle_altitudes(log_.flights[i], altitudes_[i]);
     return std::move(log_);
   }
 
@@ -231,9 +250,14 @@ class LogReader {
     if (!time.value()) return error("", "has no time.");
     auto place = place_of(cells);
     if (!place) return place.error();
+    auto altitudes = altitudes_of(cells);
+    if (!altitudes) return altitudes.error();
+    const bool has_altitude =
+        std::any_of(altitudes.value().begin(), altitudes.value().end(),
+                    [](const std::optional<double>& each) { return each.has_value(); });
     auto grounded = on_ground(cells);
     if (!grounded) return grounded.error();
-    if (!place.value() || grounded.value()) {
+    if (!place.value() || !has_altitude || grounded.value()) {
       ++log_.left_out;
       return {};
     }
@@ -241,7 +265,7 @@ class LogReader {
       ++log_.far;
       return {};
     }
-    return add(cells, {*time.value(), *place.value()});
+    return add(cells, {*time.value(), *place.value()}, altitudes.value());
   }
 
   // A number, or none where the cell is empty or its column is not there.
@@ -273,30 +297,52 @@ class LogReader {
     return time;
   }
 
+  // On the plane; what it is above follows when all rows are known.
   Result<std::optional<Vec3>> place_of(const LogCells& cells) const {
     const bool local = has(LogColumn::kNorth);
     const auto a = number(cells, local ? LogColumn::kNorth : LogColumn::kLatitude);
     if (!a) return a.error();
     const auto b = number(cells, local ? LogColumn::kEast : LogColumn::kLongitude);
     if (!b) return b.error();
-    const auto altitude = altitude_of(cells);
-    if (!altitude) return altitude.error();
-    if (!a.value() || !b.value() || !altitude.value()) return std::optional<Vec3>();
+    if (!a.value() || !b.value()) return std::optional<Vec3>();
     const Vec2 map = local ? Vec2(*a.value(), *b.value())
                            : placement_.frame.to_plane(*a.value(), *b.value());
-    return std::optional<Vec3>({map.x(), map.y(), -*altitude.value()});
+    return std::optional<Vec3>({map.x(), map.y(), 0});
   }
 
-  Result<LogNumber> altitude_of(const LogCells& cells) const {
-    for (const LogColumn column : {LogColumn::kAltitude, LogColumn::kAltitudeFeet,
-                                   LogColumn::kAltitudeGeo, LogColumn::kAltitudeBaro}) {
-      auto altitude = number(cells, column);
-      if (!altitude) return altitude;
-      if (!altitude.value()) continue;
-      return LogNumber(*altitude.value() *
-                       (column == LogColumn::kAltitudeFeet ? kFoot : 1));
+  Result<Altitudes> altitudes_of(const LogCells& cells) const {
+    Altitudes found;
+    const auto read = [&](LogColumn column, AltitudeDatum datum,
+                          double unit) -> Result<void> {
+      const auto altitude = number(cells, column);
+      if (!altitude) return altitude.error();
+      auto& of_datum = found[static_cast<std::size_t>(datum)];
+      if (altitude.value() && !of_datum) of_datum = *altitude.value() * unit;
+      return {};
+    };
+    for (const auto& [column, datum, unit] :
+         {std::tuple(LogColumn::kAltitude, AltitudeDatum::kSeaLevel, 1.0),
+          std::tuple(LogColumn::kAltitudeFeet, AltitudeDatum::kSeaLevel, kFoot),
+          std::tuple(LogColumn::kAltitudeGeo, AltitudeDatum::kGeometric, 1.0),
+          std::tuple(LogColumn::kAltitudeBaro, AltitudeDatum::kBarometric, 1.0)})
+      if (auto good = read(column, datum, unit); !good) return good.error();
+    return found;
+  }
+
+  // Gives the places of a flight the altitudes of one datum, and leaves out those that
+  // have none of it.
+  void settle_altitudes(LoggedFlight& flight, const std::vector<Altitudes>& altitudes) {
+    flight.datum = datum_of(altitudes);
+    std::vector<LoggedPlace> places;
+    for (std::size_t i = 0; i < altitudes.size(); ++i) {
+      const auto& up = altitudes[i][static_cast<std::size_t>(flight.datum)];
+      if (!up) continue;
+      places.push_back(flight.places[i]);
+      places.back().p_N.z() = -*up;
     }
-    return LogNumber();
+    log_.other_datum += flight.places.size() - places.size();
+    if (flight.datum == AltitudeDatum::kBarometric) log_.barometric += places.size();
+    flight.places = std::move(places);
   }
 
   Result<bool> on_ground(const LogCells& cells) const {
@@ -337,7 +383,7 @@ class LogReader {
     return place ? number_in(cells[*place]) : std::nullopt;
   }
 
-  Result<void> add(const LogCells& cells, const LoggedPlace& now) {
+  Result<void> add(const LogCells& cells, const LoggedPlace& now, const Altitudes& up) {
     std::string id;
     if (const auto place = place_[static_cast<std::size_t>(LogColumn::kId)]) {
       id = shown(cells[*place]);
@@ -347,13 +393,17 @@ class LogReader {
     }
     const auto [known, first] = of_id_.try_emplace(id, log_.flights.size());
     if (first) {
-      log_.flights.push_back({id, {}});
+      log_.flights.push_back({id, {}, {}});
       last_updates_.emplace_back();
+      altitudes_.emplace_back();
     }
     std::vector<LoggedPlace>& places = log_.flights[known->second].places;
+    std::vector<Altitudes>& altitudes = altitudes_[known->second];
     LogNumber& last_update = last_updates_[known->second];
     if (!places.empty() && now.time <= places.back().time) {
-      if (now.time == places.back().time && now.p_N == places.back().p_N) return {};
+      if (now.time == places.back().time && now.p_N == places.back().p_N &&
+          up == altitudes.back())
+        return {};
       return error(
           "", fmt::format("its time does not grow: {:.3f} s after {:.3f} s{}.", now.time,
                           places.back().time, id.empty() ? "" : " of " + id));
@@ -365,6 +415,7 @@ class LogReader {
     }
     last_update = update;
     places.push_back(now);
+    altitudes.push_back(up);
     return {};
   }
 
@@ -374,7 +425,8 @@ class LogReader {
   std::vector<std::string> columns_;
   std::array<std::optional<std::size_t>, kLogColumns> place_{};
   std::map<std::string, std::size_t> of_id_;
-  std::vector<LogNumber> last_updates_;  // of the last place of each flight
+  std::vector<LogNumber> last_updates_;            // of the last place of each flight
+  std::vector<std::vector<Altitudes>> altitudes_;  // of all places of each flight
   TrafficLog log_;
 };
 
@@ -387,17 +439,15 @@ Result<TrafficLog> parse_traffic_log(std::string_view text, const std::string& n
 
 Result<TrafficLog> read_traffic_log(const std::filesystem::path& file,
                                     const LogPlacement& placement) {
-  std::error_code failed;
-  const std::uintmax_t size = std::filesystem::file_size(file, failed);
-  std::ifstream in(file, std::ios::binary);
-  if (failed || !in)
-    return Error{ErrorCode::kNotFound, file.string(), "cannot be read.", ""};
-  if (size > kLargestLog)
-    return Error{ErrorCode::kBadInput, file.string(),
-                 fmt::format("is too large: {} MB; 200 at most.", size / 1'000'000),
-                 "Cut it to the time and place of the run."};
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return parse_traffic_log(text, file.filename().string(), placement);
+  auto text = read_file(file, kLargestLog);
+  if (!text) {
+    Error error = text.error();
+    if (std::error_code none;
+        std::filesystem::file_size(file, none) > kLargestLog && !none)
+      error.hint = "Cut it to the time and place of the run.";
+    return error;
+  }
+  return parse_traffic_log(text.value(), file.filename().string(), placement);
 }
 
 }  // namespace skein::exchange

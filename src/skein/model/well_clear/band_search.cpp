@@ -2,7 +2,6 @@
 #include "skein/model/well_clear/band_search.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "skein/base/check.h"
@@ -20,24 +19,6 @@ const AlertLevel* level_of(const Alerter& alerter, AlertRegion region) {
   for (const AlertLevel& level : alerter.levels)
     if (level.region == region) return &level;
   return nullptr;
-}
-
-struct Limits {
-  double min, max;
-};
-
-Limits limits_of(const WellClearConfiguration& configuration, ManoeuvreKind kind) {
-  switch (kind) {
-    case ManoeuvreKind::kTrack:
-      return {-math::kInfinity, math::kInfinity};
-    case ManoeuvreKind::kSpeed:
-      return {configuration.speed.min, configuration.speed.max};
-    case ManoeuvreKind::kVerticalSpeed:
-      return {configuration.vertical_speed.min, configuration.vertical_speed.max};
-    case ManoeuvreKind::kAltitude:
-      return {configuration.altitude.min, configuration.altitude.max};
-  }
-  SKEIN_CHECK(false, "a kind of manoeuvre");
 }
 
 }  // namespace
@@ -134,8 +115,8 @@ double BandSearch::last_time(const AircraftMotion& own, const Intruder& intruder
 }
 
 bool BandSearch::has_free_range(const std::vector<char>& red) const {
-  for (std::size_t i = 1; i < red.size(); ++i)
-    if (!red[i - 1] && !red[i]) return true;
+  for (std::size_t i = options_.first_range(); i < options_.end_of_ranges(); ++i)
+    if (!red[i] && !red[i + 1]) return true;
   return false;
 }
 
@@ -150,7 +131,6 @@ AlertRegion BandSearch::region_between(std::size_t option) const {
 }
 
 void BandSearch::add_piece(double lo, double hi, AlertRegion region) {
-  if (hi <= lo) return;
   std::vector<BandPiece>& pieces = bands_.pieces;
   if (!pieces.empty() && pieces.back().region == region)
     pieces.back().hi = hi;
@@ -160,11 +140,8 @@ void BandSearch::add_piece(double lo, double hi, AlertRegion region) {
 
 void BandSearch::list_pieces() {
   bands_.pieces.clear();
-  const Limits limits = limits_of(*configuration_, options_.kind());
-  const std::span<const double> values = options_.values();
-  for (std::size_t i = 0; i + 1 < values.size(); ++i)
-    add_piece(std::clamp(values[i], limits.min, limits.max),
-              std::clamp(values[i + 1], limits.min, limits.max), region_between(i));
+  for (std::size_t i = options_.first_range(); i < options_.end_of_ranges(); ++i)
+    add_piece(options_.low_end(i), options_.high_end(i), region_between(i));
   if (options_.kind() == ManoeuvreKind::kTrack) list_track_pieces();
 }
 
@@ -176,8 +153,17 @@ void BandSearch::list_track_pieces() {
   turned_.back().hi = turned_.front().lo + kTurn;  // they are the same track
   for (const double shift : {-kTurn, 0.0, kTurn})
     for (const BandPiece& piece : turned_)
-      add_piece(std::clamp(piece.lo + shift, 0.0, kTurn),
-                std::clamp(piece.hi + shift, 0.0, kTurn), piece.region);
+      add_track_piece({piece.lo + shift, piece.hi + shift, piece.region});
+  bands_.pieces.back().hi = kTurn;
+}
+
+// What of a piece lies in [0, 2 pi], if that is not too narrow; it begins where the last
+// one ends.
+void BandSearch::add_track_piece(const BandPiece& piece) {
+  const double from = bands_.pieces.empty() ? 0 : bands_.pieces.back().hi;
+  const double lo = std::clamp(piece.lo, 0.0, kTurn);
+  const double hi = std::clamp(piece.hi, 0.0, kTurn);
+  if (hi - lo > same(hi)) add_piece(from, hi, piece.region);
 }
 
 }  // namespace skein::model

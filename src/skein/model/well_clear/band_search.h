@@ -35,6 +35,7 @@ class BandSearch {
   void list_pieces();
   void add_piece(double lo, double hi, AlertRegion region);
   void list_track_pieces();
+  void add_track_piece(const BandPiece& piece);
 
   const WellClearConfiguration* configuration_;
   ManoeuvreOptions options_;

@@ -28,7 +28,7 @@ struct StepScan {
 
   void scan(const LevelChange& change, double from, double until, bool and_until,
             OptionSpan& into) const {
-    for (double t = from; t <= horizon && (t < until || (and_until && t <= until));
+    for (double t = from; t < horizon && (t < until || (and_until && t <= until));
          t += 1) {
       if (!is_within(volume, relative_motion(own, change.at(t), intruder))) continue;
       into.first_step = std::min(into.first_step, t);
@@ -38,6 +38,11 @@ struct StepScan {
 };
 
 }  // namespace
+
+double same(double larger) {
+  constexpr double kMin = 1e-5;
+  return larger == 0 ? kMin : std::max(kMin, std::ldexp(1, std::ilogb(larger) - 12));
+}
 
 ManoeuvreOptions::ManoeuvreOptions(const WellClearConfiguration& configuration,
                                    ManoeuvreKind kind)
@@ -78,6 +83,19 @@ void ManoeuvreOptions::list_steps(double own, double step, double rate, double m
   steady_times_.resize(count, 0);
 }
 
+void ManoeuvreOptions::find_ranges(double min, double max) {
+  lowest_ = min;
+  highest_ = max;
+  first_range_ = 0;
+  end_of_ranges_ = values_.size() - 1;
+  while (first_range_ + 1 < end_of_ranges_ &&
+         values_[first_range_ + 1] - min <= same(min))
+    ++first_range_;
+  while (first_range_ + 1 < end_of_ranges_ &&
+         max - values_[end_of_ranges_ - 1] <= same(max))
+    --end_of_ranges_;
+}
+
 void ManoeuvreOptions::start_track() {
   const auto& limits = configuration_->track;
   const double pi = std::numbers::pi;
@@ -86,6 +104,7 @@ void ManoeuvreOptions::start_track() {
   // Half a turn is a whole number of steps, but for rounding.
   const double half = pi - limits.step / 4;
   list_steps(course, limits.step, limits.turn_rate, course - half, course + half);
+  find_ranges(values_.front(), values_.back());
   const double c = math::cos(limits.step), s = math::sin(limits.step);
   const double radius = speed / limits.turn_rate;
   const double vx = speed > 0 ? own_.vx : 0, vy = speed > 0 ? own_.vy : 0;
@@ -109,6 +128,7 @@ void ManoeuvreOptions::start_speed() {
   const double speed = horizontal_speed(own_);
   const double ex = speed > 0 ? own_.vx / speed : 1, ey = speed > 0 ? own_.vy / speed : 0;
   list_steps(speed, limits.step, limits.accel, limits.min, limits.max);
+  find_ranges(limits.min, limits.max);
   for (std::size_t i = 0; i < count(); ++i) {
     const double t = times_[i], to = values_[i];
     const double way = (speed + to) / 2 * t;
@@ -119,6 +139,7 @@ void ManoeuvreOptions::start_speed() {
 void ManoeuvreOptions::start_vertical_speed() {
   const auto& limits = configuration_->vertical_speed;
   list_steps(own_.vz, limits.step, limits.accel, limits.min, limits.max);
+  find_ranges(limits.min, limits.max);
   for (std::size_t i = 0; i < count(); ++i) {
     const double t = times_[i], to = values_[i];
     points_[i] = {t,       own_.vx * t, own_.vy * t, (own_.vz + to) / 2 * t,
@@ -142,6 +163,7 @@ void ManoeuvreOptions::start_altitude() {
     steady_times_.push_back(change.steady_from());
     points_.push_back(change.at(t));
   }
+  find_ranges(limits.min, limits.max);
 }
 
 void ManoeuvreOptions::survey(const WellClearVolume& volume,

@@ -52,8 +52,9 @@ void RecoverySearch::keep(double horizontal, double vertical,
     for (std::size_t i = 0; i < spans_.size(); ++i) {
       const OptionSpan& span = spans_[i];
       double until = kept_until_[i];
-      if (span.first_step < until)
-        until = std::nextafter(span.first_step, -math::kInfinity);
+      if (span.first_step < math::kInfinity)
+        until =
+            std::min({until, std::nextafter(span.first_step, -math::kInfinity), latest});
       if (begins_within(span.straight, options.times()[i], member.window, lookahead))
         until = std::min({until, span.straight.in, latest});
       if (begins_within(span.steady, options.steady_times()[i], member.window, lookahead))
@@ -63,24 +64,32 @@ void RecoverySearch::keep(double horizontal, double vertical,
   }
 }
 
-bool RecoverySearch::some_regain_at(double time) const {
-  bool before = false;
-  for (std::size_t i = 0; i < clear_after_.size(); ++i) {
-    const bool regains = regains_at(i, time);
-    if (regains && before) return true;
-    before = regains;
-  }
+bool RecoverySearch::some_regain_at(double time, const ManoeuvreOptions& options) const {
+  for (std::size_t i = options.first_range(); i < options.end_of_ranges(); ++i)
+    if (regains_at(i, time) && regains_at(i + 1, time)) return true;
   return false;
 }
 
-double RecoverySearch::earliest() const {
+double RecoverySearch::earliest(const ManoeuvreOptions& options) const {
   constexpr double kPrecision = 0.5;  // [s]
   double no = 0, yes = configuration_->lookahead;
   while (yes - no > kPrecision) {
     const double between = (no + yes) / 2;
-    (some_regain_at(between) ? yes : no) = between;
+    (some_regain_at(between, options) ? yes : no) = between;
   }
   return yes;
+}
+
+// What is regained at the earliest time may be lost again within the stability time: of
+// an intruder in no conflict now, distances count beyond its window.
+std::optional<double> RecoverySearch::time_of_recovery(
+    const ManoeuvreOptions& options) const {
+  const double lookahead = configuration_->lookahead;
+  if (!some_regain_at(lookahead, options)) return std::nullopt;
+  const double time =
+      std::min(lookahead, earliest(options) + configuration_->recovery.stability);
+  if (!some_regain_at(time, options)) return std::nullopt;
+  return time;
 }
 
 BandRecovery RecoverySearch::search(const ManoeuvreOptions& options) {
@@ -90,23 +99,27 @@ BandRecovery RecoverySearch::search(const ManoeuvreOptions& options) {
   BandRecovery result;
   keep(rule.nmac_horizontal, rule.nmac_vertical, options);
   bool kept = false;
-  for (std::size_t i = 1; i < kept_until_.size(); ++i)
-    kept = kept || (kept_until_[i - 1] >= lookahead && kept_until_[i] >= lookahead);
+  for (std::size_t i = options.first_range(); i < options.end_of_ranges(); ++i)
+    kept = kept || (kept_until_[i] >= lookahead && kept_until_[i + 1] >= lookahead);
   if (!kept) {
     result.outcome = Outcome::kNotKept;
     return result;
   }
   list_distances();
-  const std::size_t first = first_regained(options);
-  result.shrunk = static_cast<int>(first);
   result.outcome = Outcome::kNoneFound;
-  if (first == distances_.size()) return result;
-  keep(distances_[first].horizontal, distances_[first].vertical, options);
-  recovery_time_ = std::min(lookahead, earliest() + rule.stability);
-  result.outcome = Outcome::kFound;
-  result.time = recovery_time_;
-  result.horizontal = distances_[first].horizontal;
-  result.vertical = distances_[first].vertical;
+  for (std::size_t tried = first_regained(options); tried <= distances_.size(); ++tried) {
+    result.shrunk = static_cast<int>(tried);
+    if (tried == distances_.size()) break;
+    keep(distances_[tried].horizontal, distances_[tried].vertical, options);
+    const std::optional<double> time = time_of_recovery(options);
+    if (!time) continue;
+    recovery_time_ = *time;
+    result.outcome = Outcome::kFound;
+    result.time = *time;
+    result.horizontal = distances_[tried].horizontal;
+    result.vertical = distances_[tried].vertical;
+    break;
+  }
   return result;
 }
 
@@ -128,7 +141,7 @@ std::size_t RecoverySearch::first_regained(const ManoeuvreOptions& options) {
   std::size_t tried = 0;  // most often the first will do
   while (from < to) {
     keep(distances_[tried].horizontal, distances_[tried].vertical, options);
-    if (some_regain_at(configuration_->lookahead))
+    if (some_regain_at(configuration_->lookahead, options))
       to = tried;
     else
       from = tried + 1;

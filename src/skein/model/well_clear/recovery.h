@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace skein::model {
 /// A value regains it at a time B if no volume is entered from B on and the recovery
 /// distances are kept before. Of distances from those of the configuration, shrunk again
 /// and again, the first are taken with which two neighbouring values regain it within the
-/// lookahead; B is the earliest, by bisection to 0.5 s, plus the stability time.
+/// lookahead; B is the earliest, by bisection to 0.5 s, plus the stability time, at which
+/// it must still be regained.
 ///
 /// What may be B for a value is an interval, so that volumes are looked at once and
 /// distances some five times, not at every step of the bisection.
@@ -53,11 +55,13 @@ class RecoverySearch {
   bool regains_at(std::size_t option, double time) const {
     return clear_after_[option] < time && time <= kept_until_[option];
   }
-  // Whether two neighbours regain it.
-  bool some_regain_at(double time) const;
+  // Whether the ends of a range regain it.
+  bool some_regain_at(double time, const ManoeuvreOptions& options) const;
   // Fills kept_until_ for these distances.
   void keep(double horizontal, double vertical, const ManoeuvreOptions& options);
-  double earliest() const;
+  double earliest(const ManoeuvreOptions& options) const;
+  // The time of recovery with the distances that are kept, or none.
+  std::optional<double> time_of_recovery(const ManoeuvreOptions& options) const;
   void list_distances();
   std::size_t first_regained(const ManoeuvreOptions& options);
 

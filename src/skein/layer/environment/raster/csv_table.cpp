@@ -5,14 +5,13 @@
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+
+#include "skein/base/input_file.h"
 
 namespace skein::environment {
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 64u << 20;
+constexpr std::size_t kMaxBytes = 64u << 20;  // of a table
 
 std::string trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
@@ -58,21 +57,9 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 Result<CsvTable> CsvTable::load(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error))
-    return Error{ErrorCode::kNotFound, path, "there is no such file", ""};
-  if (!std::filesystem::is_regular_file(path, error))
-    return Error{ErrorCode::kBadInput, path, "is not a file but a folder or device", ""};
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error || size > kMaxBytes)
-    return Error{ErrorCode::kBadInput, path, "is larger than the 64 MB allowed", ""};
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file)
-    return Error{ErrorCode::kUnavailable, path, "cannot be read or is empty",
-                 "is reading permitted?"};
-  return parse(text.str(), path);
+  const auto text = read_file(path, kMaxBytes);
+  if (!text) return text.error();
+  return parse(text.value(), path);
 }
 
 Result<CsvTable> CsvTable::parse(std::string_view text, const std::string& place) {

@@ -10,10 +10,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
+#include "skein/base/input_file.h"
 #include "skein/base/valid_text.h"
 #include "skein/geo/gdal/gdal_guard.h"
 #include "skein/geo/gdal/gdal_handles.h"
@@ -201,10 +200,8 @@ std::vector<Attribute> attributes_of(OGRFeatureH feature) {
 std::string projection_text(const std::string& name) {
   std::filesystem::path path(name);
   if (path.extension() != ".shp") return {};
-  std::ifstream file(path.replace_extension(".prj"), std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  const auto text = read_file(path.replace_extension(".prj"));
+  return text ? text.value() : std::string();
 }
 
 // Sets an option of GDAL for this thread and this object's life.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/solve/path/test/independent_flights.h"
 
 #include <algorithm>

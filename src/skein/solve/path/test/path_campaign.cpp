@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "skein/solve/path/test/path_campaign.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What planned paths claim, against computations that share no code with the planner.
 // bench/path_proofs does the same with ten thousand problems.
 

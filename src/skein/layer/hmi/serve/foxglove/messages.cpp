@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "skein/data/describe/json.h"
+#include "skein/geo/antimeridian.h"
 #include "skein/geo/rotation.h"
 
 namespace skein::hmi::foxglove {
@@ -132,9 +134,11 @@ class Scene {
   Json time_, update_;
 };
 
-Json degrees(const geo::LocalFrame& frame, const Vec2& p) {
-  const geo::Geodetic at = frame.from_plane(p);
+Json degrees(const geo::Geodetic& at) {
   return Json::array({at.longitude_deg, at.latitude_deg});
+}
+Json degrees(const geo::LocalFrame& frame, const Vec2& p) {
+  return degrees(frame.from_plane(p));
 }
 
 Json feature(Json geometry, Json properties) {
@@ -143,12 +147,20 @@ Json feature(Json geometry, Json properties) {
           {"properties", std::move(properties)}};
 }
 
-// A ring as GeoJSON has it: closed.
+// A ring as GeoJSON has it: closed, and cut at 180 degrees of longitude.
 Json polygon(const geo::LocalFrame& frame, const geo::Ring& ring) {
-  Json corners = Json::array();
-  for (const Vec2& p : ring) corners.push_back(degrees(frame, p));
-  if (!ring.empty()) corners.push_back(degrees(frame, ring.front()));
-  return {{"type", "Polygon"}, {"coordinates", Json::array({std::move(corners)})}};
+  geo::Region region = {ring};
+  if (geo::signed_area(ring) < 0) std::reverse(region[0].begin(), region[0].end());
+  Json polygons = Json::array();
+  for (const geo::PlacePolygon& part : geo::cut_region(region, frame)) {
+    Json corners = Json::array();
+    for (const geo::Geodetic& at : part.front()) corners.push_back(degrees(at));
+    corners.push_back(degrees(part.front().front()));
+    polygons.push_back(Json::array({std::move(corners)}));
+  }
+  if (polygons.size() == 1)
+    return {{"type", "Polygon"}, {"coordinates", std::move(polygons.front())}};
+  return {{"type", "MultiPolygon"}, {"coordinates", std::move(polygons)}};
 }
 
 std::string geojson(Json features) {
