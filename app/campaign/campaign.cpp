@@ -16,18 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Plugins come first, so that each run's scenario says what it needs.
-campaign::CampaignOptions options_of(const CampaignArguments& arguments) {
-  campaign::CampaignOptions options;
-  options.only = arguments.only;
-  for (std::size_t k = 0; k < arguments.plugins.size(); ++k)
-    options.overrides.push_back(
-        fmt::format("plugins[{}]={}", k, fs::canonical(arguments.plugins[k]).string()));
-  options.overrides.insert(options.overrides.end(), arguments.overrides.begin(),
-                           arguments.overrides.end());
-  return options;
-}
-
 // Each with all keys, as FOLDER/scenarios/NUMBER-VARIANT-VARIANT-SEED.yaml, numbered as
 // the rows of runs.csv.
 Result<void> write_scenarios(const campaign::StudyPlan& plan, const fs::path& folder) {
@@ -55,7 +43,8 @@ int campaign_command(const CampaignArguments& arguments, const std::atomic<bool>
   if (!kinds) return kBadUsage;
   // What the campaign changes in the scenario may be a program.
   std::static_pointer_cast<Trust>(kinds->consent())->add_author(file.source);
-  const auto plan = campaign::plan_campaign(file, options_of(arguments), kinds->table());
+  const auto plan = campaign::plan_campaign(file, {arguments.only, arguments.overrides},
+                                            reader_of(*kinds, arguments.plugins));
   if (!plan) return say_error(plan.error());
   const fs::path folder = arguments.out.empty()
                               ? fs::path("runs") / ("campaign-" + file.name)

@@ -9,12 +9,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
 #include "app/common/common.h"
-#include "app/common/output.h"
+#include "app/common/question.h"
 
 namespace skein::app {
 namespace {
@@ -179,14 +178,10 @@ Result<const Source*> Trust::untrusted(const Source& named_in) const {
 }
 
 bool Trust::ask(const std::string& question) {
-  if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0) return false;
   const std::lock_guard lock(mutex_);
   const auto known = answers_.find(question);
   if (known != answers_.end()) return known->second;
-  complain("{} [y/N] ", question);
-  char line[64] = "";
-  const bool answered = std::fgets(line, sizeof line, stdin) != nullptr;
-  const bool yes = answered && (line[0] == 'y' || line[0] == 'Y');
+  const bool yes = ask_on_terminal(question);
   answers_[question] = yes;
   return yes;
 }

@@ -212,7 +212,7 @@ void set_figures(const modem::ModemStatistics& modem, record::RunRecorder& recor
   set("modem_delay_most_s", modem.delay_most.seconds());
 }
 
-// The page that the arguments ask for, where the browser finds it said; null: none.
+// The page that the arguments ask for; null: none.
 Result<std::unique_ptr<serve::RunPage>> open_page(const RunArguments& arguments,
                                                   const scenario::Scenario& scenario,
                                                   const assemble::KindRegistry& kinds,
@@ -222,10 +222,7 @@ Result<std::unique_ptr<serve::RunPage>> open_page(const RunArguments& arguments,
   if (!arguments.serve->empty())
     if (auto read = serve::read_place(*arguments.serve, options); !read)
       return read.error();
-  auto page =
-      serve::RunPage::open(options, serve::facts_of(scenario, kinds, ready, kVersion));
-  if (page) complain("The page: {}\n", page.value()->place());
-  return page;
+  return serve::RunPage::open(options, serve::facts_of(scenario, kinds, ready, kVersion));
 }
 
 Result<simulation::RunOutcome> run_with_page(assemble::Build& ready,
@@ -392,6 +389,8 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
 
   if (!again)
     if (auto started = start_links(ready); !started) return say_error(started.error());
+  // Only a run that begins has a page.
+  if (page.value()) complain("The page: {}\n", page.value()->place());
   const auto simulated =
       simulate(ready, recorder, frame.value(), arguments, page.value().get(), stop);
   const bool interrupted =

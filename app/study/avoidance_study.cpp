@@ -166,7 +166,7 @@ Result<campaign::AvoidanceStudy> study_of(const StudyArguments& arguments) {
 
 }  // namespace
 
-int avoidance_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int avoidance_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                     const fs::path& folder, const std::atomic<bool>& stop) {
   if (arguments.cases_file.empty()) {
     complain("error: the study avoidance needs --cases FILE.csv.\n");

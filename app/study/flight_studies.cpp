@@ -7,14 +7,14 @@
 #include "skein/campaign/keeping/keeping_study.h"
 
 namespace skein::app {
-int ground_starts_study(const StudyArguments& arguments,
-                        const assemble::KindRegistry& kinds,
+int ground_starts_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                         const std::filesystem::path& folder,
                         const std::atomic<bool>& stop) {
   campaign::GroundStartsStudy study;
   take_arguments(arguments, "ground-starts.yaml", study);
   study.aircraft = arguments.cases;
-  const auto plan = campaign::plan_ground_starts_study(study, kinds.table());
+  const auto plan =
+      campaign::plan_ground_starts_study(study, reader_of(kinds, arguments.plugins));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
                                  [&](const campaign::BatchItem& item) {
@@ -31,12 +31,13 @@ int ground_starts_study(const StudyArguments& arguments,
                 stop);
 }
 
-int keeping_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int keeping_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                   const std::filesystem::path& folder, const std::atomic<bool>& stop) {
   campaign::KeepingStudy study;
   take_arguments(arguments, "keeping.yaml", study);
   study.aircraft = arguments.cases;
-  const auto plan = campaign::plan_keeping_study(study, kinds.table());
+  const auto plan =
+      campaign::plan_keeping_study(study, reader_of(kinds, arguments.plugins));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
                                  [&](const campaign::BatchItem& item) {

@@ -23,12 +23,13 @@ std::vector<campaign::FollowingFlight> shown_flights(
 
 }  // namespace
 
-int following_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int following_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                     const std::filesystem::path& folder, const std::atomic<bool>& stop) {
   campaign::FollowingStudy study;
   take_arguments(arguments, "wind-following.yaml", study);
   study.winds = arguments.cases;
-  const auto plan = campaign::plan_following_study(study, kinds.table());
+  const auto plan =
+      campaign::plan_following_study(study, reader_of(kinds, arguments.plugins));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
                                  [&](const campaign::BatchItem& item) {

@@ -135,9 +135,8 @@ record::StudyReport mixed_report(const campaign::StudyPlan& plan,
 
 }  // namespace
 
-int mixed_rates_study(const StudyArguments& arguments,
-                      const assemble::KindRegistry& kinds, const fs::path& folder,
-                      const std::atomic<bool>& stop) {
+int mixed_rates_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
+                      const fs::path& folder, const std::atomic<bool>& stop) {
   if (arguments.profiles.size() > 1 || !arguments.nodes.empty()) {
     complain("error: the experiment mixed has three entities and one profile.\n");
     return kBadUsage;

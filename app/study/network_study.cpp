@@ -214,7 +214,7 @@ campaign::NetworkStudy study_of(const StudyArguments& arguments,
 
 }  // namespace
 
-int network_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int network_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                   const fs::path& folder, const std::atomic<bool>& stop) {
   if (arguments.experiment == kMixed)
     return mixed_rates_study(arguments, kinds, folder, stop);

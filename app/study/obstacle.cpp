@@ -146,7 +146,7 @@ record::StudyReport obstacle_report(const campaign::StudyPlan& plan,
 
 }  // namespace
 
-int obstacle_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int obstacle_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                    const fs::path& folder, const std::atomic<bool>& stop) {
   if (arguments.profiles.size() > 1 || !arguments.nodes.empty() || arguments.duration) {
     complain(

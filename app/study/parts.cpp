@@ -12,6 +12,7 @@
 #include "app/common/common.h"
 #include "app/common/output.h"
 #include "app/common/version.h"
+#include "skein/assemble/kinds/load_plugin.h"
 #include "skein/assemble/world/run.h"
 #include "skein/base/folder_lock.h"
 #include "skein/base/log.h"
@@ -32,6 +33,18 @@ fs::path shipped_scenario(const std::string& name) {
       program.parent_path().parent_path() / "share" / "skein" / "scenarios" / name;
   if (fs::exists(installed, error)) return installed;
   return program.parent_path().parent_path().parent_path() / "scenarios" / name;
+}
+
+campaign::ScenarioReader reader_of(assemble::KindRegistry& kinds,
+                                   const std::vector<std::string>& plugins) {
+  std::vector<std::string> paths;
+  for (const std::string& plugin : plugins)
+    paths.push_back(fs::canonical(plugin).string());
+  return {kinds.table(),
+          [&kinds](const std::string& plugin, const scenario::Source& named_in) {
+            return assemble::load_named_plugin(plugin, named_in, kinds);
+          },
+          std::move(paths)};
 }
 
 namespace {

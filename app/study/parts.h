@@ -11,6 +11,7 @@
 #include "skein/assemble/kinds/kind_registry.h"
 #include "skein/base/result.h"
 #include "skein/campaign/batch/batch.h"
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/monitoring/monitoring_study.h"
 #include "skein/record/report/study_report.h"
 #include "skein/role/recorder.h"
@@ -32,6 +33,13 @@ void take_arguments(const StudyArguments& arguments, const char* scenario, Study
   study.first_seed = arguments.first_seed;
   if (arguments.seeds) study.seeds = *arguments.seeds;
 }
+
+/// Reads the scenarios of runs; libraries that they name are loaded with the consent that
+/// `kinds` asks for, as by `skein run`.
+/// @param kinds    outlives it.
+/// @param plugins  of the command line.
+campaign::ScenarioReader reader_of(assemble::KindRegistry& kinds,
+                                   const std::vector<std::string>& plugins);
 
 /// Made when there is something to put into it: what is refused leaves nothing behind.
 /// Until it ends, this program is the only one that writes there.
@@ -73,38 +81,36 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
            const std::atomic<bool>& stop, const std::map<std::string, double>& more = {});
 
 /// `skein study wind-following`; returns the exit status.
-int following_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int following_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                     const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 /// `skein study avoidance`; returns the exit status.
-int avoidance_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int avoidance_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                     const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 /// `skein study ground-starts`; returns the exit status.
-int ground_starts_study(const StudyArguments& arguments,
-                        const assemble::KindRegistry& kinds,
+int ground_starts_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                         const std::filesystem::path& folder,
                         const std::atomic<bool>& stop);
 
 /// `skein study keeping`; returns the exit status.
-int keeping_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int keeping_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                   const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 /// `skein study network EXPERIMENT`; returns the exit status.
-int network_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int network_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                   const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 /// `skein study network mixed`; returns the exit status.
-int mixed_rates_study(const StudyArguments& arguments,
-                      const assemble::KindRegistry& kinds,
+int mixed_rates_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                       const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 /// `skein study network obstacle`; returns the exit status.
-int obstacle_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int obstacle_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                    const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 /// `skein study tuning`; returns the exit status.
-int tuning_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int tuning_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                  const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 }  // namespace skein::app

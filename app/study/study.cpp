@@ -77,14 +77,15 @@ int estimators(const fs::path& folder) {
 
 // --- studies of many runs -----------------------------------------------------------
 
-int monitoring(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int monitoring(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::MonitoringStudy study;
   take_arguments(arguments, "thesis-no-wind.yaml", study);
   study.cases = arguments.cases;
   study.estimators = arguments.estimators;
   study.strategies = arguments.strategies;
-  const auto plan = campaign::plan_monitoring_study(study, kinds.table());
+  const auto plan =
+      campaign::plan_monitoring_study(study, reader_of(kinds, arguments.plugins));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
@@ -93,7 +94,7 @@ int monitoring(const StudyArguments& arguments, const assemble::KindRegistry& ki
                 folder, stop);
 }
 
-int bridge(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int bridge(const StudyArguments& arguments, assemble::KindRegistry& kinds,
            const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::BridgeStudy study;
   take_arguments(arguments, "bridge-fire.yaml", study);
@@ -106,7 +107,8 @@ int bridge(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
     // What the command line says comes after what was fitted.
     study.overrides.insert(study.overrides.begin(), fitted.begin(), fitted.end());
   }
-  const auto plan = campaign::plan_bridge_study(study, kinds.table());
+  const auto plan =
+      campaign::plan_bridge_study(study, reader_of(kinds, arguments.plugins));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
@@ -115,12 +117,13 @@ int bridge(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
                 stop);
 }
 
-int fidelity(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int fidelity(const StudyArguments& arguments, assemble::KindRegistry& kinds,
              const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::FidelityStudy study;
   take_arguments(arguments, "wildfire.yaml", study);
   study.levels = arguments.cases;
-  const auto plan = campaign::plan_fidelity_study(study, kinds.table());
+  const auto plan =
+      campaign::plan_fidelity_study(study, reader_of(kinds, arguments.plugins));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
@@ -129,12 +132,13 @@ int fidelity(const StudyArguments& arguments, const assemble::KindRegistry& kind
                 stop);
 }
 
-int robustness(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int robustness(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                const fs::path& folder, const std::atomic<bool>& stop) {
   campaign::RobustnessStudy study;
   take_arguments(arguments, "robustness.yaml", study);
   study.aircraft = arguments.cases;
-  const auto plan = campaign::plan_robustness_study(study, kinds.table());
+  const auto plan =
+      campaign::plan_robustness_study(study, reader_of(kinds, arguments.plugins));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
                                  [&](const campaign::BatchItem& item) {
@@ -154,7 +158,7 @@ struct StudyKind {
   const char* name;
   const char* help;
   std::vector<std::string> options;  // that it takes
-  int (*run)(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+  int (*run)(const StudyArguments& arguments, assemble::KindRegistry& kinds,
              const fs::path& folder, const std::atomic<bool>& stop) = nullptr;
 };
 
@@ -263,17 +267,6 @@ std::string default_folder(const StudyArguments& arguments) {
   return name;
 }
 
-// The plugins as the first changes of every run, so that its scenario says what it needs.
-StudyArguments with_plugins(const StudyArguments& arguments) {
-  StudyArguments all = arguments;
-  std::vector<std::string> changes;
-  for (std::size_t k = 0; k < arguments.plugins.size(); ++k)
-    changes.push_back(
-        fmt::format("plugins[{}]={}", k, fs::canonical(arguments.plugins[k]).string()));
-  all.overrides.insert(all.overrides.begin(), changes.begin(), changes.end());
-  return all;
-}
-
 }  // namespace
 
 std::string list_of_studies() {
@@ -300,9 +293,9 @@ int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop
                               ? fs::path("runs") / default_folder(arguments)
                               : arguments.out;
   if (arguments.name == "estimators") return estimators(folder);
-  const auto kinds = load_kinds(arguments.plugins, arguments.trusted);
+  auto kinds = load_kinds(arguments.plugins, arguments.trusted);
   if (!kinds) return kBadUsage;
-  return find_study(arguments.name)->run(with_plugins(arguments), *kinds, folder, stop);
+  return find_study(arguments.name)->run(arguments, *kinds, folder, stop);
 }
 
 }  // namespace skein::app

@@ -103,9 +103,13 @@ std::string gains_file(const LapGains& gains, const campaign::TuningFound& found
 // The study while it goes on.
 class Tuning {
  public:
-  Tuning(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+  Tuning(const StudyArguments& arguments, assemble::KindRegistry& kinds,
          const fs::path& folder, const std::atomic<bool>& stop)
-      : arguments_(arguments), kinds_(kinds), folder_(folder), stop_(stop) {
+      : arguments_(arguments),
+        kinds_(kinds),
+        reader_(reader_of(kinds, arguments.plugins)),
+        folder_(folder),
+        stop_(stop) {
     take_arguments(arguments, "tuning.yaml", study_);
     options_.threads = arguments.threads;
     options_.program = program_fingerprint();
@@ -121,8 +125,7 @@ class Tuning {
   Result<void> prepare() {
     std::vector<scenario::Override> overrides;
     for (const std::string& text : arguments_.overrides) overrides.push_back({text});
-    const auto read = scenario::read_scenario(study_.base, kinds_.table(), overrides,
-                                              scenario::plugins_are_loaded());
+    const auto read = reader_.read(study_.base, overrides);
     if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
     auto base = assemble::tuning_gains_of(*read.scenario);
     if (!base) return base.error();
@@ -130,7 +133,7 @@ class Tuning {
     auto sets = sets_of(arguments_, base_);
     if (!sets) return sets.error();
     study_.sets = std::move(sets).value();
-    auto plan = campaign::plan_laps(study_, kinds_.table());
+    auto plan = campaign::plan_laps(study_, reader_);
     if (!plan) return plan.error();
     plan_ = std::move(plan).value();
     return make_folder(folder_);
@@ -139,7 +142,7 @@ class Tuning {
   // Looks for gains, then plans flights that compare them with those at the start.
   Result<void> search() {
     search_ = make_search(study_, arguments_.search, base_, terminal_);
-    auto found = campaign::search_gains(search_, kinds_.table(), run_, options_);
+    auto found = campaign::search_gains(search_, reader_, run_, options_);
     if (terminal_) complain("\n");
     if (!found) return found.error();
     found_ = std::move(found).value();
@@ -155,7 +158,7 @@ class Tuning {
                    {"found", assemble::lap_gains_text(best)}};
     study_.first_seed += study_.seeds;
     study_.seeds = std::max(study_.seeds, kMinFreshSeeds);
-    auto plan = campaign::plan_comparison(study_, kinds_.table());
+    auto plan = campaign::plan_comparison(study_, reader_);
     if (!plan) return plan.error();
     plan_ = std::move(plan).value();
     return {};
@@ -223,6 +226,7 @@ class Tuning {
  private:
   const StudyArguments& arguments_;
   const assemble::KindRegistry& kinds_;
+  campaign::ScenarioReader reader_;
   fs::path folder_;
   const std::atomic<bool>& stop_;
   const bool terminal_ = isatty(STDERR_FILENO) != 0;
@@ -241,7 +245,7 @@ class Tuning {
 
 }  // namespace
 
-int tuning_study(const StudyArguments& arguments, const assemble::KindRegistry& kinds,
+int tuning_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
                  const fs::path& folder, const std::atomic<bool>& stop) {
   Tuning tuning(arguments, kinds, folder, stop);
   if (auto done = tuning.prepare(); !done) return say_error(done.error());

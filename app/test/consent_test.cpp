@@ -206,6 +206,39 @@ TEST_F(Consent, IsGivenByTheCommandLine) {
   EXPECT_EQ(run({"check", "evil.yaml", "--trust", "nowhere"}).status, 2);
 }
 
+// Every study that flies a scenario reads it as a run does; so do campaigns, also where
+// only the campaign names the library.
+TEST_F(Consent, OfCampaignsAndStudiesIsGivenAlike) {
+  write("evil.yaml", library_scenario());
+  write("plain.yaml", "name: plain\nduration_s: 2\n");
+  write("campaign.yaml", campaign("evil.yaml"));
+  write("changing.yaml",
+        campaign("plain.yaml", "set: [\"plugins=['" + std::string(kLibrary) + "']\"]\n"));
+  for (const char* file : {"campaign.yaml", "changing.yaml"}) {
+    const Finished refused = run({"campaign", file, "--out", "out"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("--trust "), std::string::npos) << refused.err;
+    EXPECT_FALSE(was_run());
+    run({"campaign", file, "--out", "out", "--trust", "."});
+    EXPECT_TRUE(was_run()) << file;
+  }
+  fs::create_directories(folder_ / "scenarios");
+  const std::map<std::string, std::string> studies = {
+      {"monitoring", "thesis-no-wind"}, {"bridge", "bridge-fire"},
+      {"fidelity", "wildfire"},         {"wind-following", "wind-following"},
+      {"robustness", "robustness"},     {"ground-starts", "ground-starts"},
+      {"keeping", "keeping"},           {"tuning", "tuning"}};
+  for (const auto& [study, base] : studies) {
+    write("scenarios/" + base + ".yaml", library_scenario());
+    const Finished refused = run({"study", study, "--seeds", "1", "--out", "out"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("--trust "), std::string::npos) << study << refused.err;
+    EXPECT_FALSE(was_run()) << study;
+    run({"study", study, "--seeds", "1", "--out", "out", "--trust", "."});
+    EXPECT_TRUE(was_run()) << study;
+  }
+}
+
 TEST_F(Consent, IsGivenByTheUsersFileAlone) {
   write("evil.yaml", library_scenario());
   fs::create_directories(folder_ / "config/skein");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A folder where a file belongs is refused by name, whatever reads it.
 #include "app/test/program.h"
 

@@ -93,6 +93,30 @@ TEST_F(Program, AKillLeavesReadableRecordsUpToASecondBefore) {
   }
 }
 
+// Somebody else writes into its folder, or has: it has no page.
+TEST_F(Program, ARunThatIsRefusedShowsNoPage) {
+  const auto file = write("long.yaml", "name: long\nduration_s: 900\n");
+  prefix_ = "first-";
+  const pid_t first = start({"run", file.string(), "--out", "run", "--serve", "0"});
+  for (int k = 0; k < 3000 && read_file(folder_ / "first-err.txt").find("The page: ") ==
+                                  std::string::npos;
+       ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  prefix_ = "second-";
+  const Finished locked =
+      run({"run", file.string(), "--out", "run", "--serve", "0", "--overwrite"});
+  EXPECT_EQ(locked.status, 2) << locked.err;
+  EXPECT_EQ(locked.err.find("The page: "), std::string::npos) << locked.err;
+  prefix_ = "first-";
+  kill(first, SIGINT);
+  const Finished shown = finish(first);
+  EXPECT_NE(shown.err.find("The page: "), std::string::npos) << shown.err;
+  prefix_ = "second-";
+  const Finished there = run({"run", file.string(), "--out", "run", "--serve", "0"});
+  EXPECT_EQ(there.status, 2) << there.err;
+  EXPECT_EQ(there.err.find("The page: "), std::string::npos) << there.err;
+}
+
 TEST_F(Program, CountsEveryCrossingOnce) {
   // The first readings of both aircraft come later than they were taken, some never.
   const auto file = write("s.yaml",

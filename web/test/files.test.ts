@@ -61,30 +61,65 @@ test("outer rings run against the clock, as RFC 7946 wants", () => {
 
 test("what crosses 180 degrees of longitude is cut there", () => {
   const near = new Frame({ latitude_deg: -16.8, longitude_deg: 179.995, height_m: 0 }); // 532 m west of it
-  const square = (half: number, east: number): [number, number][] => [[half, east - half], [half, east + half], [-half, east + half], [-half, east - half]];
-  const { features: [area, line, whole] } = JSON.parse(toGeoJson([
-    { name: "area", geometry: { kind: "area", rings: [square(2000, 0), square(100, 532), square(100, 1200)] }, properties: {} },
-    { name: "line", geometry: { kind: "line", points: [[0, 0], [100, 1000], [200, 900], [300, -100]] }, properties: {} },
-    { name: "whole", geometry: { kind: "area", rings: [square(300, 0)] }, properties: {} },
-  ], near)) as { features: { geometry: { type: string; coordinates: unknown } }[] };
+  const square = (half: number, east: number): [number, number][] => [
+    [half, east - half],
+    [half, east + half],
+    [-half, east + half],
+    [-half, east - half],
+  ];
+  const {
+    features: [area, line, whole],
+  } = JSON.parse(
+    toGeoJson(
+      [
+        { name: "area", geometry: { kind: "area", rings: [square(2000, 0), square(100, 532), square(100, 1200)] }, properties: {} },
+        {
+          name: "line",
+          geometry: {
+            kind: "line",
+            points: [
+              [0, 0],
+              [100, 1000],
+              [200, 900],
+              [300, -100],
+            ],
+          },
+          properties: {},
+        },
+        { name: "whole", geometry: { kind: "area", rings: [square(300, 0)] }, properties: {} },
+      ],
+      near,
+    ),
+  ) as { features: { geometry: { type: string; coordinates: unknown } }[] };
   const steps = (points: [number, number][]) => points.slice(1).every(([lng], k) => Math.abs(lng - points[k][0]) < 180);
   const polygons = area.geometry.coordinates as [number, number][][][];
   assert.equal(area.geometry.type, "MultiPolygon");
-  assert.deepEqual(polygons.map((rings) => rings.length), [1, 2]); // one hole lies on 180 degrees, one east of it
+  assert.deepEqual(
+    polygons.map((rings) => rings.length),
+    [1, 2],
+  ); // one hole lies on 180 degrees, one east of it
   assert.ok(polygons.flat().every(steps));
   const size = (ring: [number, number][]) => {
     const points = ring.map(([longitude_deg, latitude_deg]) => near.toLocal({ latitude_deg, longitude_deg }));
     let sum = 0;
-    points.slice(1).forEach((b, k) => { sum += points[k].north_m * b.east_m - b.north_m * points[k].east_m; });
+    points.slice(1).forEach((b, k) => {
+      sum += points[k].north_m * b.east_m - b.north_m * points[k].east_m;
+    });
     return Math.abs(sum / 2);
   };
   const total = polygons.reduce((sum, [outer, ...holes]) => sum + size(outer) - holes.reduce((all, hole) => all + size(hole), 0), 0);
   assert.ok(Math.abs(total - (4000 ** 2 - 2 * 200 ** 2)) < 20);
   const lines = line.geometry.coordinates as [number, number][][];
   assert.equal(line.geometry.type, "MultiLineString");
-  assert.deepEqual(lines.map((points) => points.length), [2, 4, 2]);
+  assert.deepEqual(
+    lines.map((points) => points.length),
+    [2, 4, 2],
+  );
   assert.ok(lines.every(steps));
-  assert.deepEqual(lines.map((points) => Math.sign(points[0][0])), [1, -1, 1]);
+  assert.deepEqual(
+    lines.map((points) => Math.sign(points[0][0])),
+    [1, -1, 1],
+  );
   assert.equal(whole.geometry.type, "Polygon");
 });
 

@@ -96,6 +96,7 @@ void ControlMonitor::hear(const LinkChange& change) {
   if (change.kind == LinkChange::Kind::kUp) unseen_ = true;
   if (change.kind != LinkChange::Kind::kRebooted) return;
   unseen_ = true;
+  withdrawn_ = false;
   asked_ = 0;
 }
 
@@ -115,8 +116,11 @@ bool ControlMonitor::is_asked_for(VehicleMode mode) const {
 bool ControlMonitor::is_taken_now(const VehicleCondition& condition, bool changed,
                                   bool unseen) const {
   const VehicleMode mode = condition.mode;
-  // On the ground it is nobody's, but where a flight has ended that nobody here ended.
-  if (condition.on_ground) return flew_ && (changed || unseen) && !is_asked_for(mode);
+  // On the ground it is nobody's, but where a flight has ended that nobody here ended, or
+  // somebody else decides while it is to take off.
+  const bool takes_off_next = (asked_ & bit(VehicleMode::kTakeOff)) != 0;
+  if (condition.on_ground)
+    return (flew_ || takes_off_next) && (changed || unseen) && !is_asked_for(mode);
   if (is_by_sticks(mode)) return true;
   if (!seen_) return goes_home_or_down(mode);  // in the air when it was heard first
   const bool takes_off = !in_air_;
@@ -163,6 +167,7 @@ bool ControlMonitor::step(Time now, const VehicleCondition& condition, bool land
                           std::vector<VehicleEvent>& events) {
   const bool changed = condition.mode_name != mode_name_;
   const bool unseen = std::exchange(unseen_, false);
+  const bool claimed = std::exchange(withdrawn_, false) && !is_asked_for(condition.mode);
   bool given_back = false;
   if (is_taken()) {
     if (condition.mode == VehicleMode::kGuided) {
@@ -173,7 +178,7 @@ bool ControlMonitor::step(Time now, const VehicleCondition& condition, bool land
     } else if (changed) {
       take(now, condition, unseen, events);
     }
-  } else if (is_taken_now(condition, changed, unseen)) {
+  } else if (claimed || is_taken_now(condition, changed, unseen)) {
     take(now, condition, unseen && seen_, events);
   }
   seen_ = true;

@@ -43,6 +43,9 @@ class ControlMonitor {
   void sent(const VehicleRequest& request);
   /// The newest of them was denied.
   void denied();
+  /// The newest of them was withdrawn, because somebody else chose the mode while it was
+  /// under way: who did so has it, on the ground too.
+  void withdrawn() { withdrawn_ = true; }
   void hear(const LinkChange& change);
   /// What the vehicle says before it acts is why it does.
   void hear(const VehicleText& text, Time now);
@@ -83,6 +86,7 @@ class ControlMonitor {
   bool seen_ = false;         // some mode, since the begin
   bool in_air_ = false;       // at the last step
   bool flew_ = false;         // under its agent, and has not been landed by it
+  bool withdrawn_ = false;    // a request, since the last step
   bool unseen_ = false;  // the link was down, or it has begun again, since the last step
   VehicleMode mode_ = VehicleMode::kOther;
   std::string mode_name_;

@@ -108,8 +108,13 @@ void FlightDirector::hear(const RequestAnswer& answer, Time now,
     again_at_ = now + kAgain;  // its mode follows a moment later
     return;
   }
-  again_at_ = now + (++denials_ < kQuickTries ? kAgain : kSlowAgain);
   if (answer.outcome != RequestAnswer::Outcome::kNoAnswer) control_.denied();
+  if (answer.outcome == RequestAnswer::Outcome::kWithdrawn) {
+    control_.withdrawn();
+    again_at_ = now + kAgain;
+    return;
+  }
+  again_at_ = now + (++denials_ < kQuickTries ? kAgain : kSlowAgain);
   if (goal_ == Goal::kBringBack) return not_brought_back(answer.text, events);
   disarm_ = goal_ == Goal::kTakeOff && !armed_before_;
   refused(answer.text, now, events);

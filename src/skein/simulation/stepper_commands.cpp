@@ -94,6 +94,11 @@ void Stepper::obey(Time now, const Command& command) {
           run.refuse(now, fmt::format("{}: {}", c.aircraft, done.error().text()));
       });
     }
+    void operator()(const RefusedCommand& c) const {
+      if (const auto i = run.find(c.aircraft))
+        return run.record_event(now, *i, "command-refused", c.text);
+      run.refuse(now, c.text);
+    }
     void operator()(const WindCommand& c) const {
       run.world_.wind->set_added({c.added.x(), c.added.y(), 0});
     }

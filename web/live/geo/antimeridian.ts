@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
 /** What crosses 180 degrees of longitude, cut there as RFC 7946 3.1.9 asks; as src/skein/geo/antimeridian.h does it. */
-import type { Frame } from "../frames";
+import type { Frame } from "../../common/frames";
 import type { Ring } from "./features";
 
 type Point = [number, number]; // north and east [m]
@@ -31,7 +32,8 @@ function crossing(a: Place, b: Place, frame: Frame): Place {
   if (a.east === 0) return a;
   if (b.east === 0) return b;
   const between = (share: number) => placeOf([a.p[0] + share * (b.p[0] - a.p[0]), a.p[1] + share * (b.p[1] - a.p[1])], frame);
-  let from = 0, to = 1;
+  let from = 0,
+    to = 1;
   for (let k = 0; k < kHalvings; ++k) {
     const middle = (from + to) / 2;
     if (isEast(between(middle)) === isEast(a)) from = middle;
@@ -119,7 +121,10 @@ function divide(ring: Ring, frame: Frame, sides: { west: Side; east: Side }): bo
 
 /** Joins chains along 180 degrees: from the south, every second gap is inside. False where ends do not match. */
 function close({ rings, chains }: Side): boolean {
-  const ends = chains.flatMap((chain, k) => [{ latitude: chain[0].at[1], k, begins: true }, { latitude: chain[chain.length - 1].at[1], k, begins: false }]);
+  const ends = chains.flatMap((chain, k) => [
+    { latitude: chain[0].at[1], k, begins: true },
+    { latitude: chain[chain.length - 1].at[1], k, begins: false },
+  ]);
   ends.sort((a, b) => a.latitude - b.latitude);
   const next: number[] = [];
   for (let k = 0; k + 1 < ends.length; k += 2) {
@@ -144,13 +149,23 @@ function close({ rings, chains }: Side): boolean {
 export function cutArea(rings: Ring[], frame: Frame): LngLat[][][] {
   const uncut = [rings.map((ring) => ring.map((p) => frame.toLngLat(...p)))];
   // Holes run the other way, so that what is inside lies on one hand of every edge.
-  const run = rings.map((ring, k) => ((areaOf(ring) > 0) === (k === 0) ? ring : [...ring].reverse()));
+  const run = rings.map((ring, k) => (areaOf(ring) > 0 === (k === 0) ? ring : [...ring].reverse()));
   const sides = { west: { rings: [], chains: [] }, east: { rings: [], chains: [] } };
   if (!run.every((ring) => ring.length > 0 && divide(ring, frame, sides))) return uncut;
   if (sides.west.chains.length === 0 || !close(sides.west) || !close(sides.east)) return uncut;
   return [sides.west, sides.east].flatMap(({ rings: all }: Side) => {
     const outer = all.filter((ring) => areaOf(ring.map(({ p }) => p)) > 0);
     const holes = all.filter((ring) => areaOf(ring.map(({ p }) => p)) <= 0);
-    return outer.map((ring) => [ring, ...holes.filter((hole) => contains(ring.map(({ p }) => p), hole[0].p))].map((each) => each.map(({ at }) => at)));
+    return outer.map((ring) =>
+      [
+        ring,
+        ...holes.filter((hole) =>
+          contains(
+            ring.map(({ p }) => p),
+            hole[0].p,
+          ),
+        ),
+      ].map((each) => each.map(({ at }) => at)),
+    );
   });
 }

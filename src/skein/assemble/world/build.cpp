@@ -527,7 +527,7 @@ class Builder {
         shown.server = build_.links->show(std::move(server));
         all.push_back(std::move(shown));
       }
-    if (!all.empty() || !traffic.empty())
+    if (to_stations || !all.empty() || !traffic.empty())
       build_.feed = std::make_unique<vehicle_links::VehicleFeed>(*build_.links,
                                                                  std::move(all), traffic);
   }

@@ -31,7 +31,7 @@ Result<std::vector<Variant>> select(std::vector<Variant> all,
   return chosen;
 }
 
-Result<StudyPlan> plan_grid(VariantGrid grid, const scenario::KindTable& kinds) {
+Result<StudyPlan> plan_grid(VariantGrid grid, const ScenarioReader& reader) {
   for (auto* dimension : {&grid.cases, &grid.strategies, &grid.estimators})
     if (dimension->empty()) dimension->push_back({"-", "", {}});
   StudyPlan plan;
@@ -44,17 +44,17 @@ Result<StudyPlan> plan_grid(VariantGrid grid, const scenario::KindTable& kinds) 
         for (const auto* list : {&each.overrides, &strategy.overrides,
                                  &estimator.overrides, &std::as_const(grid.overrides)})
           for (const std::string& text : *list) overrides.push_back({text});
-        auto read = scenario::read_scenario(grid.base, kinds, overrides,
-                                            scenario::plugins_are_loaded());
+        auto read = reader.read(grid.base, overrides);
         if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
-        const std::string files = data.of(scenario::named_files(*read.scenario, kinds));
+        const std::string files =
+            data.of(scenario::named_files(*read.scenario, reader.kinds()));
         for (int k = 0; k < grid.seeds; ++k) {
           scenario::Scenario run = *read.scenario;
           run.seed = static_cast<std::uint64_t>(grid.first_seed + k);
           run.name = fmt::format("{}/{}/{}/{}", each.name, strategy.name, estimator.name,
                                  run.seed);
           cell.items.push_back(plan.items.size());
-          std::string text = scenario::write_scenario(run, kinds);
+          std::string text = scenario::write_scenario(run, reader.kinds());
           plan.items.push_back({run.name, std::move(run), std::move(text), files});
         }
         plan.cells.push_back(std::move(cell));

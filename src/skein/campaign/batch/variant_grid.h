@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/monitoring/monitoring_study.h"
 
 namespace skein::campaign {
@@ -27,6 +28,6 @@ Result<std::vector<Variant>> select(std::vector<Variant> all,
 
 /// All runs of the grid: cells by case, then strategy, then estimator; runs by seed.
 /// Fails: kBadInput when a change does not fit the scenario.
-Result<StudyPlan> plan_grid(VariantGrid grid, const scenario::KindTable& kinds);
+Result<StudyPlan> plan_grid(VariantGrid grid, const ScenarioReader& reader);
 
 }  // namespace skein::campaign

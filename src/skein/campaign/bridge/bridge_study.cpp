@@ -9,7 +9,7 @@
 namespace skein::campaign {
 
 Result<StudyPlan> plan_bridge_study(const BridgeStudy& study,
-                                    const scenario::KindTable& kinds) {
+                                    const ScenarioReader& reader) {
   MonitoringStudy grid;
   grid.base = study.base;
   grid.cases = {"no-wind"};  // the case without changes: the base scenario as it is
@@ -23,7 +23,7 @@ Result<StudyPlan> plan_bridge_study(const BridgeStudy& study,
   grid.overrides = study.overrides;
   grid.first_seed = study.first_seed;
   grid.seeds = study.seeds;
-  auto plan = plan_monitoring_study(grid, kinds);
+  auto plan = plan_monitoring_study(grid, reader);
   if (!plan) return plan;
   for (StudyCell& cell : plan.value().cells) cell.case_name = "recorded fire";
   return plan;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/monitoring/monitoring_study.h"
 #include "skein/record/report/study_report.h"
 
@@ -23,7 +24,7 @@ struct BridgeStudy {
 
 /// All runs of the study. Fails: kBadInput as plan_monitoring_study().
 Result<StudyPlan> plan_bridge_study(const BridgeStudy& study,
-                                    const scenario::KindTable& kinds);
+                                    const ScenarioReader& reader);
 
 /// One row per combination: means over the allocation phase and all seeds, against the
 /// marks to reach (IoU 0.90, RMS 35 m, Hausdorff 120 m, coverage 0.85).

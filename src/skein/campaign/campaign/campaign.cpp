@@ -178,7 +178,7 @@ record::StudyDots campaign_dots(const CampaignFile& file, const CampaignFigure& 
 }  // namespace
 
 Result<StudyPlan> plan_campaign(const CampaignFile& file, const CampaignOptions& options,
-                                const scenario::KindTable& kinds) {
+                                const ScenarioReader& reader) {
   const auto axes = chosen_axes(file, options.only);
   if (!axes) return axes.error();
   StudyPlan plan;
@@ -200,8 +200,7 @@ Result<StudyPlan> plan_campaign(const CampaignFile& file, const CampaignOptions&
       for (scenario::Override& each : overrides) each.folder = file.source.folder;
       overrides.push_back({fmt::format("seed={}", seed)});
       for (const std::string& text : options.overrides) overrides.push_back({text});
-      auto read = scenario::read_scenario(file.scenario, kinds, overrides,
-                                          scenario::plugins_are_loaded());
+      auto read = reader.read(file.scenario, overrides);
       const std::string path = cell.path();
       if (!read.ok())
         return Error{ErrorCode::kBadInput,
@@ -210,8 +209,8 @@ Result<StudyPlan> plan_campaign(const CampaignFile& file, const CampaignOptions&
                      "\n" + read.report(), ""};
       scenario::Scenario run = *std::move(read.scenario);
       run.name = fmt::format("{}{}{}", path, path.empty() ? "" : "/", seed);
-      std::string text = scenario::write_scenario(run, kinds);
-      const std::string files = data.of(scenario::named_files(run, kinds));
+      std::string text = scenario::write_scenario(run, reader.kinds());
+      const std::string files = data.of(scenario::named_files(run, reader.kinds()));
       cell.items.push_back(plan.items.size());
       plan.items.push_back({run.name, std::move(run), std::move(text), files});
     }

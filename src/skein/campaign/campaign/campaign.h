@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/campaign/campaign_file.h"
 #include "skein/record/report/study_report.h"
 
@@ -23,7 +24,7 @@ struct CampaignOptions {
 /// Fails: kBadInput for a variant that there is not, and when a change does not fit the
 ///        scenario.
 Result<StudyPlan> plan_campaign(const CampaignFile& file, const CampaignOptions& options,
-                                const scenario::KindTable& kinds);
+                                const ScenarioReader& reader);
 
 /// What the file asks for in vain: a line for each figure that no run has.
 std::vector<std::string> figures_that_nobody_has(

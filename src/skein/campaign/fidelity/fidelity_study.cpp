@@ -110,7 +110,7 @@ std::vector<Variant> fidelity_levels() {
 }
 
 Result<StudyPlan> plan_fidelity_study(const FidelityStudy& study,
-                                      const scenario::KindTable& kinds) {
+                                      const ScenarioReader& reader) {
   const auto levels = select(fidelity_levels(), study.levels, "level");
   if (!levels) return levels.error();
   VariantGrid grid;
@@ -119,7 +119,7 @@ Result<StudyPlan> plan_fidelity_study(const FidelityStudy& study,
   grid.overrides = study.overrides;
   grid.first_seed = study.first_seed;
   grid.seeds = study.seeds;
-  return plan_grid(grid, kinds);
+  return plan_grid(grid, reader);
 }
 
 record::StudyReport fidelity_report(const FidelityStudy& study, const StudyPlan& plan,

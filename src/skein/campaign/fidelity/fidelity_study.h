@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/monitoring/monitoring_study.h"
 #include "skein/record/report/study_report.h"
 
@@ -26,7 +27,7 @@ struct FidelityStudy {
 /// All runs of the study.
 /// Fails: kBadInput for a level that does not exist or an override that does not fit.
 Result<StudyPlan> plan_fidelity_study(const FidelityStudy& study,
-                                      const scenario::KindTable& kinds);
+                                      const ScenarioReader& reader);
 
 /// What the mission achieves at each fidelity, what the aircraft do, and what a run
 /// costs.

@@ -171,7 +171,7 @@ record::StudyMap flight_map(const StudyPlan& plan, const FollowingFlight& flight
 }  // namespace
 
 Result<StudyPlan> plan_following_study(const FollowingStudy& study,
-                                       const scenario::KindTable& kinds) {
+                                       const ScenarioReader& reader) {
   const auto chosen = select(winds(), study.winds, "wind");
   if (!chosen) return chosen.error();
   VariantGrid grid;
@@ -182,7 +182,7 @@ Result<StudyPlan> plan_following_study(const FollowingStudy& study,
   grid.overrides = study.overrides;
   grid.first_seed = study.first_seed;
   grid.seeds = study.seeds;
-  return plan_grid(grid, kinds);
+  return plan_grid(grid, reader);
 }
 
 void add_following_figures(const std::vector<LapSample>& samples,

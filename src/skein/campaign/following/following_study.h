@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "skein/campaign/batch/lap_recorder.h"
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/monitoring/monitoring_study.h"
 #include "skein/record/report/study_report.h"
 
@@ -26,7 +27,7 @@ struct FollowingStudy {
 /// time.
 /// Fails: kBadInput for a wind that does not exist or an override that does not fit.
 Result<StudyPlan> plan_following_study(const FollowingStudy& study,
-                                       const scenario::KindTable& kinds);
+                                       const ScenarioReader& reader);
 
 /// Adds how far the aircraft was off its plan: `cross_track_rms_m`, `cross_track_max_m`,
 /// and `cross_track_qNN_m`, the distance that NN % of the samples do not exceed, NN = 05,

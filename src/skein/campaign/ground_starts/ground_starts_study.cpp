@@ -98,7 +98,7 @@ std::vector<scenario::Override> overrides_of(const Draw& d, const Starter& aircr
 }  // namespace
 
 Result<StudyPlan> plan_ground_starts_study(const GroundStartsStudy& study,
-                                           const scenario::KindTable& kinds) {
+                                           const ScenarioReader& reader) {
   if (auto error = unknown(study.aircraft)) return *error;
   const std::vector<const Starter*> starters = chosen(study.aircraft);
   StudyPlan plan;
@@ -116,7 +116,7 @@ Result<StudyPlan> plan_ground_starts_study(const GroundStartsStudy& study,
     const Starter& aircraft = *starters[d.aircraft];
     std::vector<scenario::Override> overrides = overrides_of(d, aircraft, seed);
     for (const std::string& text : study.overrides) overrides.push_back({text});
-    auto read = scenario::read_scenario(study.base, kinds, overrides);
+    auto read = reader.read(study.base, overrides);
     if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
     scenario::Scenario run = *std::move(read.scenario);
     run.name =
@@ -124,8 +124,8 @@ Result<StudyPlan> plan_ground_starts_study(const GroundStartsStudy& study,
                     kStands[d.stand], d.wind, seed);
     plan.cells[cells.at({d.aircraft, d.turbulence, d.stand})].items.push_back(
         plan.items.size());
-    std::string text = scenario::write_scenario(run, kinds);
-    const std::string files = data.of(scenario::named_files(run, kinds));
+    std::string text = scenario::write_scenario(run, reader.kinds());
+    const std::string files = data.of(scenario::named_files(run, reader.kinds()));
     plan.items.push_back({run.name, std::move(run), std::move(text), files});
   }
   return plan;

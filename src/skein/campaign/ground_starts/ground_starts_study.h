@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/ground_starts/start_watch.h"
 #include "skein/campaign/monitoring/monitoring_study.h"
 #include "skein/record/report/study_report.h"
@@ -27,7 +28,7 @@ struct GroundStartsStudy {
 /// one aircraft, turbulence and attitude on the ground.
 /// Fails: kBadInput for an aircraft that does not exist or an override that does not fit.
 Result<StudyPlan> plan_ground_starts_study(const GroundStartsStudy& study,
-                                           const scenario::KindTable& kinds);
+                                           const ScenarioReader& reader);
 
 /// What watches a run of the plan; to be given to it, then asked for its figures.
 StartWatch start_watch_of(const BatchItem& item);

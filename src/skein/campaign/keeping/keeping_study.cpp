@@ -48,7 +48,7 @@ const std::vector<Choice>& receiver_choices() {
   return all;
 }
 
-Result<BatchItem> make_item(const KeepingStudy& study, const scenario::KindTable& kinds,
+Result<BatchItem> make_item(const KeepingStudy& study, const ScenarioReader& reader,
                             const std::vector<const Choice*>& choices, int seed,
                             DataFingerprint& data) {
   std::vector<scenario::Override> overrides;
@@ -59,12 +59,12 @@ Result<BatchItem> make_item(const KeepingStudy& study, const scenario::KindTable
   }
   overrides.push_back({fmt::format("seed={}", seed)});
   for (const std::string& text : study.overrides) overrides.push_back({text});
-  auto read = scenario::read_scenario(study.base, kinds, overrides);
+  auto read = reader.read(study.base, overrides);
   if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
   scenario::Scenario run = *std::move(read.scenario);
   run.name = name + std::to_string(seed);
-  std::string text = scenario::write_scenario(run, kinds);
-  const std::string files = data.of(scenario::named_files(run, kinds));
+  std::string text = scenario::write_scenario(run, reader.kinds());
+  const std::string files = data.of(scenario::named_files(run, reader.kinds()));
   return BatchItem{run.name, std::move(run), std::move(text), files};
 }
 
@@ -75,7 +75,7 @@ constexpr std::array kFigures = {
 }  // namespace
 
 Result<StudyPlan> plan_keeping_study(const KeepingStudy& study,
-                                     const scenario::KindTable& kinds) {
+                                     const ScenarioReader& reader) {
   const auto& all = aircraft_choices();
   for (const std::string& name : study.aircraft)
     if (std::none_of(all.begin(), all.end(),
@@ -92,7 +92,7 @@ Result<StudyPlan> plan_keeping_study(const KeepingStudy& study,
       for (const Choice& receiver : receiver_choices()) {
         StudyCell cell{aircraft.name, turbulence.name, receiver.name, {}};
         for (int k = 0; k < study.seeds; ++k) {
-          auto item = make_item(study, kinds, {&aircraft, &turbulence, &receiver},
+          auto item = make_item(study, reader, {&aircraft, &turbulence, &receiver},
                                 study.first_seed + k, data);
           if (!item) return item.error();
           cell.items.push_back(plan.items.size());

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/keeping/keeping_watch.h"
 #include "skein/campaign/monitoring/monitoring_study.h"
 #include "skein/record/report/study_report.h"
@@ -25,7 +26,7 @@ struct KeepingStudy {
 /// (the true state, rtk, differential, single), `seeds` runs each.
 /// Fails: kBadInput for an aircraft that does not exist or an override that does not fit.
 Result<StudyPlan> plan_keeping_study(const KeepingStudy& study,
-                                     const scenario::KindTable& kinds);
+                                     const ScenarioReader& reader);
 
 /// What watches a run of the plan; to be given to it, then asked for its figures.
 KeepingWatch keeping_watch_of(const BatchItem& item);

@@ -75,9 +75,14 @@ std::vector<Variant> monitoring_strategies() {
 }
 
 Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
-                                        const scenario::KindTable& kinds) {
+                                        const ScenarioReader& reader) {
+  // Libraries that the scenario names may have estimators too.
+  std::vector<scenario::Override> changes;
+  for (const std::string& text : study.overrides) changes.push_back({text});
+  if (auto read = reader.read(study.base, changes); !read.ok())
+    return Error{ErrorCode::kBadInput, "", read.report(), ""};
   std::vector<Variant> estimators;
-  for (const std::string& name : kinds.names("estimator"))
+  for (const std::string& name : reader.kinds().names("estimator"))
     estimators.push_back({name, "", {"missions[0].estimator=" + name}});
   const auto cases = select(monitoring_cases(), study.cases, "case");
   if (!cases) return cases.error();
@@ -87,7 +92,7 @@ Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
   if (!strategies) return strategies.error();
   return plan_grid({study.base, cases.value(), strategies.value(), chosen.value(),
                     study.overrides, study.first_seed, study.seeds},
-                   kinds);
+                   reader);
 }
 
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "skein/campaign/batch/batch.h"
-#include "skein/scenario/kind_table.h"
+#include "skein/campaign/batch/scenario_reader.h"
 
 namespace skein::campaign {
 
@@ -60,7 +60,7 @@ struct StudyPlan {
 /// All runs of the study.
 /// Fails: kBadInput for a name that does not exist or an override that does not fit.
 Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
-                                        const scenario::KindTable& kinds);
+                                        const ScenarioReader& reader);
 
 /// How often a figure is there in the runs of a cell, their sum, the smallest and the
 /// largest; mean and these two are NaN where no run has it.

@@ -60,7 +60,7 @@ std::vector<RobustAircraft> robust_aircraft() {
 }
 
 Result<StudyPlan> plan_robustness_study(const RobustnessStudy& study,
-                                        const scenario::KindTable& kinds) {
+                                        const ScenarioReader& reader) {
   const std::vector<RobustAircraft> all = robust_aircraft();
   std::vector<std::string> names = study.aircraft;
   if (names.empty())
@@ -97,8 +97,7 @@ Result<StudyPlan> plan_robustness_study(const RobustnessStudy& study,
                      wind, from)});
     overrides.push_back({fmt::format("seed={}", seed)});
     for (const std::string& text : study.overrides) overrides.push_back({text});
-    auto read = scenario::read_scenario(study.base, kinds, overrides,
-                                        scenario::plugins_are_loaded());
+    auto read = reader.read(study.base, overrides);
     if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
     scenario::Scenario run = *std::move(read.scenario);
     const std::size_t cell =
@@ -106,8 +105,8 @@ Result<StudyPlan> plan_robustness_study(const RobustnessStudy& study,
     run.name =
         fmt::format("{}/{}/{:.1f}/{}", names[which], kTurbulence[rough], wind, seed);
     plan.cells[cell].items.push_back(plan.items.size());
-    std::string text = scenario::write_scenario(run, kinds);
-    const std::string files = data.of(scenario::named_files(run, kinds));
+    std::string text = scenario::write_scenario(run, reader.kinds());
+    const std::string files = data.of(scenario::named_files(run, reader.kinds()));
     plan.items.push_back({run.name, std::move(run), std::move(text), files});
   }
   return plan;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "skein/campaign/batch/flight_watch.h"
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/monitoring/monitoring_study.h"
 #include "skein/record/report/study_report.h"
 
@@ -37,7 +38,7 @@ struct RobustnessStudy {
 /// the runs of one aircraft, turbulence and range of winds (0-4, 4-8 m/s).
 /// Fails: kBadInput for an aircraft that does not exist or an override that does not fit.
 Result<StudyPlan> plan_robustness_study(const RobustnessStudy& study,
-                                        const scenario::KindTable& kinds);
+                                        const ScenarioReader& reader);
 
 /// What watches a run of the plan; to be given to it, then asked for its figures.
 FlightWatch watch_of(const BatchItem& item);

@@ -21,9 +21,8 @@ double rounded(double value) {
 
 }  // namespace
 
-Result<TuningFound> search_gains(const TuningSearch& search,
-                                 const scenario::KindTable& kinds, const RunScenario& run,
-                                 const BatchOptions& options) {
+Result<TuningFound> search_gains(const TuningSearch& search, const ScenarioReader& reader,
+                                 const RunScenario& run, const BatchOptions& options) {
   BatchOptions quiet = options;
   quiet.progress = {};
   std::optional<Error> error;
@@ -40,7 +39,7 @@ Result<TuningFound> search_gains(const TuningSearch& search,
   const auto cost = [&](const std::vector<double>& logs) -> std::optional<double> {
     TuningStudy study = search.study;
     study.sets = {{fmt::format("search/{}", tried), search.lap_gains(values_at(logs))}};
-    const auto plan = plan_comparison(study, kinds);
+    const auto plan = plan_comparison(study, reader);
     if (!plan) {
       error = plan.error();
       return {};

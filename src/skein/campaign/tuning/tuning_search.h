@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/tuning/simplex_search.h"
 #include "skein/campaign/tuning/tuning_study.h"
 
@@ -32,8 +33,7 @@ struct TuningFound {
 /// Minimises the mean of flight_cost() over the seeds. All flights go through the
 /// journal, so that a search which was interrupted goes on where it was.
 /// Fails: as plan_comparison() and run_batch().
-Result<TuningFound> search_gains(const TuningSearch& search,
-                                 const scenario::KindTable& kinds, const RunScenario& run,
-                                 const BatchOptions& options);
+Result<TuningFound> search_gains(const TuningSearch& search, const ScenarioReader& reader,
+                                 const RunScenario& run, const BatchOptions& options);
 
 }  // namespace skein::campaign

@@ -23,24 +23,23 @@ constexpr double kEffortScale = 20;   // [deg/s]
 
 Result<BatchItem> flight_of(const TuningStudy& study, const std::string& name, int seed,
                             const std::vector<std::string>& changes,
-                            const scenario::KindTable& kinds, DataFingerprint& data) {
+                            const ScenarioReader& reader, DataFingerprint& data) {
   std::vector<scenario::Override> overrides;
   for (const std::string& text : changes) overrides.push_back({text});
-  auto read = scenario::read_scenario(study.base, kinds, overrides,
-                                      scenario::plugins_are_loaded());
+  auto read = reader.read(study.base, overrides);
   if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
   BatchItem item;
   item.scenario = std::move(*read.scenario);
   item.scenario.seed = static_cast<std::uint64_t>(seed);
   item.scenario.name = item.name = fmt::format("{}/{}", name, seed);
-  item.text = scenario::write_scenario(item.scenario, kinds);
-  item.data = data.of(scenario::named_files(item.scenario, kinds));
+  item.text = scenario::write_scenario(item.scenario, reader.kinds());
+  item.data = data.of(scenario::named_files(item.scenario, reader.kinds()));
   return item;
 }
 
 }  // namespace
 
-Result<TuningPlan> plan_laps(const TuningStudy& study, const scenario::KindTable& kinds) {
+Result<TuningPlan> plan_laps(const TuningStudy& study, const ScenarioReader& reader) {
   TuningPlan plan;
   DataFingerprint data;
   const std::size_t laps = study.sets.size();
@@ -58,7 +57,7 @@ Result<TuningPlan> plan_laps(const TuningStudy& study, const scenario::KindTable
       gains += (lap > 0 ? ", " : "") + study.sets[flight.sets.back()].lap_gains;
     }
     changes.push_back("aircraft[0].autopilot.lap_gains=[" + gains + "]");
-    auto item = flight_of(study, "laps", study.first_seed + k, changes, kinds, data);
+    auto item = flight_of(study, "laps", study.first_seed + k, changes, reader, data);
     if (!item) return item.error();
     flight.item = plan.items.size();
     plan.items.push_back(std::move(item).value());
@@ -68,7 +67,7 @@ Result<TuningPlan> plan_laps(const TuningStudy& study, const scenario::KindTable
 }
 
 Result<TuningPlan> plan_comparison(const TuningStudy& study,
-                                   const scenario::KindTable& kinds) {
+                                   const ScenarioReader& reader) {
   TuningPlan plan;
   DataFingerprint data;
   for (std::size_t set = 0; set < study.sets.size(); ++set) {
@@ -78,7 +77,7 @@ Result<TuningPlan> plan_comparison(const TuningStudy& study,
                       "]");
     for (int k = 0; k < study.seeds; ++k) {
       auto item = flight_of(study, study.sets[set].name, study.first_seed + k, changes,
-                            kinds, data);
+                            reader, data);
       if (!item) return item.error();
       plan.flights.push_back(
           {plan.items.size(), std::vector<std::size_t>(kGainsLaps, set)});

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "skein/campaign/batch/batch.h"
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/batch/study_summary.h"
-#include "skein/scenario/kind_table.h"
 
 namespace skein::campaign {
 
@@ -47,12 +47,12 @@ inline constexpr int kGainsLaps = 3;
 /// One flight per seed, every lap with other gains. From each seed to the next the sets
 /// move on by a lap, so that every set is flown first, second and so on equally often.
 /// Fails: kBadInput for an override or gains that do not fit the scenario.
-Result<TuningPlan> plan_laps(const TuningStudy& study, const scenario::KindTable& kinds);
+Result<TuningPlan> plan_laps(const TuningStudy& study, const ScenarioReader& reader);
 
 /// One flight of kGainsLaps laps per set and seed, with the same gains in all laps; by
 /// set, then by seed. Fails: as plan_laps().
 Result<TuningPlan> plan_comparison(const TuningStudy& study,
-                                   const scenario::KindTable& kinds);
+                                   const ScenarioReader& reader);
 
 /// One of kLapFigures of a lap, from 0; nothing when the lap was not completed.
 std::optional<double> lap_figure(const record::RunSummary& flight, int lap,

@@ -273,12 +273,26 @@ constexpr auto describe(const HandBackCommand*) {
       field("aircraft", &HandBackCommand::aircraft, "who"));
 }
 
+/// An order that somebody outside gave to an aircraft was refused where it came in. It
+/// changes nothing, but is an event of the aircraft.
+struct RefusedCommand {
+  std::string aircraft;  ///< empty: one that there is not, or all
+  std::string text;      ///< who gave it, and why it was refused
+};
+
+constexpr auto describe(const RefusedCommand*) {
+  using T = RefusedCommand;
+  return described<T>({"refused"}, "An order of somebody outside was refused.",
+                      field("aircraft", &T::aircraft, "whom it was for; empty: nobody"),
+                      field("text", &T::text, "who gave it, and why it was refused"));
+}
+
 /// New kinds go to the end: the place in this list is part of the wire form.
 using Command =
     std::variant<ZoneChange, TaskCommand, MissionCommand, PauseCommand, StepCommand,
                  SpeedCommand, FaultCommand, WindCommand, AddCommand, RemoveCommand,
                  TaskChangeCommand, VehicleCommand, AllocationCommand,
-                 FlightChangeCommand, TeamTaskCommand, HandBackCommand>;
+                 FlightChangeCommand, TeamTaskCommand, HandBackCommand, RefusedCommand>;
 
 /// The word for a command.
 std::string_view kind_of(const Command& command);

@@ -109,6 +109,7 @@ struct RequestAnswer {
     kDenied,       ///< it will not
     kUnsupported,  ///< it cannot
     kNoAnswer,     ///< repeated, and not answered
+    kWithdrawn,    ///< somebody else has chosen the vehicle's mode meanwhile
   };
   std::uint32_t number = 0;  ///< as the request was numbered
   Outcome outcome = Outcome::kAccepted;
@@ -116,7 +117,7 @@ struct RequestAnswer {
 };
 constexpr auto names_of(const RequestAnswer::Outcome*) {
   return std::to_array<std::string_view>(
-      {"accepted", "denied", "unsupported", "no answer"});
+      {"accepted", "denied", "unsupported", "no answer", "withdrawn"});
 }
 
 constexpr auto describe(const RequestAnswer*) {

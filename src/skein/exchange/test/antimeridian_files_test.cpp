@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What crosses 180 degrees of longitude is cut there in files (RFC 7946, 3.1.9) and comes
 // back uncut.
 #include <gtest/gtest.h>
@@ -6,10 +7,10 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "skein/exchange/table/formats.h"
 #include "skein/exchange/gis/gis_writing.h"
 #include "skein/exchange/gis/map_features.h"
 #include "skein/exchange/plan/plan_reading.h"
+#include "skein/exchange/table/formats.h"
 #include "skein/geo/clip.h"
 #include "skein/model/connection/connection.h"
 #include "skein/model/path/flight_plan.h"

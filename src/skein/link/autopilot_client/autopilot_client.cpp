@@ -30,36 +30,10 @@ const Time kRebootStep = Time::from_seconds(1);
 const Time kDuplicateWindow = Time::from_seconds(5);
 const Time kOneAgain = Time::from_seconds(10);  // of a clock that only goes forth
 const Time kFreshComplaint = Time::from_seconds(4);
-const Time kAltitudePeriod = Time::from_seconds(0.5);
-constexpr double kAltitudeStep = 0.5;             // demanded anew at once [m]
-constexpr double kAirspeedStep = 0.3;             // [m/s]
-const Time kRateWindow = Time::from_seconds(5);   // of positions
-const Time kHomePeriod = Time::from_seconds(10);  // asked for while it is not known
-const Time kAbsence = Time::from_seconds(10);     // then it is said that nobody is there
-const Time kOtherAlone = Time::from_seconds(3);   // a vehicle of another number
-constexpr int kOtherClockAnswers = 3;             // in a row
-const Time kTripWait = Time::from_seconds(10);    // for an answer about time
-// A position that is further from where the last one leads has jumped.
-constexpr double kJumpDistance = 50;             // and what it flies in a second [m]
-constexpr double kJumpSpeed = 20;                // and so much more for each second [m/s]
-const Time kJumpWindow = Time::from_seconds(5);  // after more nobody knows
-
-// Telemetry that is asked for: the message, and its rate over the rate of the motion.
-struct Stream {
-  std::uint32_t message;
-  double rate;  // [Hz]; 0: that of the motion
-};
-constexpr Stream kStreams[] = {
-    {mavlink::kFacts<mavlink::GlobalPositionInt>.id, 0},
-    {mavlink::kFacts<mavlink::Attitude>.id, 0},
-    {mavlink::kFacts<mavlink::VfrHud>.id, 2},
-    {mavlink::kFacts<mavlink::SysStatus>.id, 1},
-    {mavlink::kFacts<mavlink::GpsRawInt>.id, 2},
-    {mavlink::kFacts<mavlink::ExtendedSysState>.id, 2},
-    {mavlink::kFacts<mavlink::MissionCurrent>.id, 1},
-    {mavlink::kFacts<mavlink::SystemTime>.id, 1},
-    {mavlink::kFacts<mavlink::HomePosition>.id, 0.5},
-};
+const Time kAbsence = Time::from_seconds(10);    // then it is said that nobody is there
+const Time kOtherAlone = Time::from_seconds(3);  // a vehicle of another number
+constexpr int kOtherClockAnswers = 3;            // in a row
+const Time kTripWait = Time::from_seconds(10);   // for an answer about time
 
 bool is_vehicle(const mavlink::Heartbeat& heartbeat) {
   constexpr std::uint8_t kNoVehicles[] = {5, 6, 18, 26, 27, 30};  // tracker, GCS, ...
@@ -84,6 +58,30 @@ Time from_ms(std::uint32_t ms) {
   return Time::from_ns(std::int64_t{ms} * 1'000'000);
 }
 
+ReportedPlace place_in(const mavlink::GlobalPositionInt& m) {
+  const double north = m.vx / 100.0, east = m.vy / 100.0;
+  return {m.lat, m.lon, std::sqrt(north * north + east * east), from_ms(m.time_boot_ms)};
+}
+
+ReportedKind kind_in(const mavlink::Heartbeat& m) {
+  return {m.type, m.autopilot};
+}
+
+// What an autopilot says of its board, as one number (FNV-1a); 0: nothing.
+std::uint64_t hardware_in(const mavlink::AutopilotVersion& m) {
+  std::uint64_t number = 0xcbf2'9ce4'8422'2325;
+  bool known = false;
+  const auto add = [&](std::uint64_t value) {
+    known = known || value != 0;
+    number = (number ^ value) * 0x100'0000'01b3;
+  };
+  add(m.uid);
+  add(m.board_version);
+  add(std::uint64_t{m.vendor_id} << 16 | m.product_id);
+  for (const std::uint8_t byte : m.uid2) add(byte);
+  return known ? number : 0;
+}
+
 }  // namespace
 
 AutopilotClient::AutopilotClient(const AutopilotClientOptions& options,
@@ -93,7 +91,9 @@ AutopilotClient::AutopilotClient(const AutopilotClientOptions& options,
       telemetry_(frame),
       commands_(options.system),
       fences_(options.system),
-      set_ups_(options.system) {}
+      set_ups_(options.system, options.rate),
+      setpoints_(options.system, frame),
+      positions_(options.start) {}
 
 void AutopilotClient::close(Channel channel) {
   channels_.erase(channel);
@@ -120,11 +120,16 @@ struct AutopilotClient::Handler {
 
   void operator()(const mavlink::Heartbeat& m) const {
     self.hear_heartbeat(m, from, now);
+    if (is_vehicle(m)) self.note_double(self.identity_.take_kind(kind_in(m), now), now);
   }
   void operator()(const mavlink::GlobalPositionInt& m) const {
     self.hear_position(m, now);
-    self.note_double(
-        self.identity_.take_position(m.lat, m.lon, from_ms(m.time_boot_ms), now), now);
+    self.note_double(self.identity_.take_place(place_in(m), now), now);
+  }
+  void operator()(const mavlink::ExtendedSysState& m) const {
+    self.telemetry_.handle(m);
+    if (m.landed_state != 0)
+      self.commands_.report_landed(self.telemetry_.condition().on_ground, now);
   }
   void operator()(const mavlink::SystemTime& m) const {
     self.hear_clock(from_ms(m.time_boot_ms), now);
@@ -136,7 +141,10 @@ struct AutopilotClient::Handler {
     answer.ts1 = m.ts1;
     out.send(from, answer);
   }
-  void operator()(const mavlink::AutopilotVersion& m) const { self.hear_identity(m); }
+  void operator()(const mavlink::AutopilotVersion& m) const {
+    self.hear_identity(m);
+    self.note_double(self.identity_.take_hardware(hardware_in(m), now), now);
+  }
   void operator()(const mavlink::Statustext& m) const { self.hear_text(m, now); }
   void operator()(const mavlink::CommandAck& m) const {
     self.commands_.handle(m, now);
@@ -178,12 +186,37 @@ bool AutopilotClient::accepts(const mavlink::Frame& frame, Channel from, Time no
   if (frame.id() == mavlink::kFacts<mavlink::Heartbeat>.id &&
       now - heard_ > options_.silence)
     return true;
+  compare_other(frame, now);
+  return false;
+}
+
+// It may be heard by two links. What is heard on the second does not count.
+void AutopilotClient::compare_other(const mavlink::Frame& frame, Time now) {
+  std::string how;
+  using namespace mavlink;  // NOLINT: a list of messages
+  struct Comparison {
+    IdentityWatch& identity;
+    Time now;
+    std::string& how;
+    void operator()(const mavlink::Heartbeat& m) const {
+      if (is_vehicle(m)) how = identity.difference(kind_in(m));
+    }
+    void operator()(const GlobalPositionInt& m) const {
+      how = identity.difference(place_in(m), now);
+    }
+    void operator()(const SystemTime& m) const {
+      how = identity.difference({.boot = from_ms(m.time_boot_ms)}, now);
+    }
+  };
+  dispatch<mavlink::Heartbeat, GlobalPositionInt, SystemTime>(
+      frame, Comparison{identity_, now, how});
+  if (how.empty()) return;
   duplicate_at_ = now;
   if (!std::exchange(duplicate_, true))
     report_change(Kind::kDuplicate,
-                  fmt::format("another vehicle has number {} too; the first one counts",
-                              options_.system));
-  return false;
+                  fmt::format("another vehicle has number {} too, {}; the first one "
+                              "counts",
+                              options_.system, how));
 }
 
 void AutopilotClient::receive(const mavlink::Frame& frame, Channel from, Time now,
@@ -208,8 +241,11 @@ void AutopilotClient::hear_heartbeat(const mavlink::Heartbeat& heartbeat, Channe
                                      Time now) {
   if (!is_vehicle(heartbeat)) return;
   telemetry_.handle(heartbeat);
-  commands_.report(telemetry_.condition());
-  commands_.set_bytewise(telemetry_.make() == mavlink::Make::kPx4);
+  commands_.set_make(telemetry_.make());
+  commands_.report(telemetry_.condition(), telemetry_.custom_mode(), now);
+  // In another mode it no longer knows what it was to follow.
+  const std::uint32_t before = std::exchange(mode_, telemetry_.custom_mode());
+  if (mode_ != before) setpoints_.forget();
   heard_ = heartbeat_ = now;
   channel_ = from;
   if (!up_) {
@@ -256,8 +292,7 @@ void AutopilotClient::come_up(const std::string& text) {
   condition_due_ = Time();
   // While nobody heard it its clock may have been set.
   clock_.forget();
-  motion_.reset();
-  positions_.clear();
+  positions_.forget();
 }
 
 // Said once for each number, when the vehicle itself is not there.
@@ -294,30 +329,12 @@ void AutopilotClient::go_down(const std::string& why) {
   report_change(Kind::kDown, why);
 }
 
-// Asks for its identity, its home and telemetry.
 void AutopilotClient::set_up(Time now) {
   set_up_ = now;
   position_ = now;
-  airspeed_.reset();
-  altitude_.reset();
-  home_due_ = now + kHomePeriod;
-  const auto ask = [&](mavlink::CommandLong what) { set_ups_.add({0, {what}}); };
-  for (const Stream& stream : kStreams)
-    ask(command(
-        kSetMessageInterval, static_cast<float>(stream.message),
-        static_cast<float>(1e6 / (stream.rate > 0 ? stream.rate : options_.rate))));
-  ask(command(kRequestMessage,
-              static_cast<float>(mavlink::kFacts<mavlink::AutopilotVersion>.id)));
-  ask(command(kRequestMessage,
-              static_cast<float>(mavlink::kFacts<mavlink::HomePosition>.id)));
-  const std::uint32_t wind = telemetry_.make() == mavlink::Make::kArduPilot
-                                 ? mavlink::kFacts<mavlink::Wind>.id
-                                 : mavlink::kFacts<mavlink::WindCov>.id;
-  ask(command(kSetMessageInterval, static_cast<float>(wind), 1e6F));
-  const std::uint32_t estimator = telemetry_.make() == mavlink::Make::kArduPilot
-                                      ? mavlink::kFacts<mavlink::EkfStatusReport>.id
-                                      : mavlink::kFacts<mavlink::EstimatorStatus>.id;
-  ask(command(kSetMessageInterval, static_cast<float>(estimator), 1e6F));
+  setpoints_.forget();
+  identified_.clear();
+  set_ups_.begin(telemetry_.make(), now);
 }
 
 void AutopilotClient::hear_clock(Time boot, Time now) {
@@ -336,7 +353,7 @@ void AutopilotClient::hear_clock(Time boot, Time now) {
       fences_.abandon("the vehicle has rebooted");
       identity_.forget();
       set_ups_.abandon("the vehicle has rebooted");
-      motion_.reset();
+      positions_.forget_motion();
       report_change(Kind::kRebooted, fmt::format("its clock went back from {:.1f} to "
                                                  "{:.1f} s",
                                                  boot_->seconds(), boot.seconds()));
@@ -355,7 +372,10 @@ void AutopilotClient::hear_clock(Time boot, Time now) {
 
 void AutopilotClient::hear_answer(const mavlink::Timesync& answer, Time now) {
   const Time sent = Time::from_ns(answer.ts1), there = Time::from_ns(answer.tc1);
-  if (sent <= now && now - sent < kTripWait) trip_ = (now - sent).seconds();
+  if (sent <= now && now - sent < kTripWait) {
+    trip_ = (now - sent).seconds();
+    commands_.set_round_trip(now - sent);
+  }
   if (clock_.round_trip(sent, there, now) != ClockAlignment::Answer::kOtherClock) {
     other_clock_ = 0;
     return;
@@ -371,60 +391,24 @@ void AutopilotClient::hear_position(const mavlink::GlobalPositionInt& position,
                                     Time now) {
   hear_clock(from_ms(position.time_boot_ms), now);
   position_ = now;
-  positions_.push_back(now);
-  while (now - positions_.front() > kRateWindow) positions_.pop_front();
+  positions_.count(now);
   const auto motion = telemetry_.handle(position, now, clock_);
   if (!motion) return;
-  watch_place(*motion, now);
-  reports_.emplace_back(*motion);
-}
-
-// Whether it jumps, and whether it is where it is to begin.
-void AutopilotClient::watch_place(const VehicleMotion& motion, Time now) {
-  // By dead reckoning it drifts, and jumps when satellites are back.
-  const bool known = telemetry_.condition().position;
-  if (motion_ && known && known_) {
-    const double dt = (motion.time - motion_->time).seconds();
-    const Vec3 off = motion.p_N - motion_->p_N - dt * motion_->v_N;
-    const double limit =
-        kJumpDistance + motion.v_N.norm() + kJumpSpeed * std::max(dt, 0.0);
-    if (motion.time - motion_->time < kJumpWindow && off.norm() > limit) {
-      jump_at_ = now;
-      report_event("position-jumped", fmt::format("its position jumped by {:.0f} m in "
-                                                  "{:.1f} s",
-                                                  off.norm(), dt));
-    }
-  }
-  known_ = known;
-  motion_at_ = now;
-  motion_ = motion;
-  // On the ground it is an item of the check before take-off.
   const VehicleCondition& condition = telemetry_.condition();
-  if (commanded_ || !options_.start || condition.on_ground) {
-    misplaced_ = false;
-    return;
-  }
-  const std::string why = misplaced(motion.p_N, *options_.start, false);
-  if (!why.empty() && !misplaced_)
-    report_event("wrong-place", why + "; it is not commanded");
-  misplaced_ = !why.empty();
+  // On the ground its place is an item of the check before take-off.
+  for (OutsideEvent& event : positions_.add(*motion, condition.position,
+                                            commanded_ || condition.on_ground, now))
+    reports_.emplace_back(std::move(event));
+  reports_.emplace_back(*motion);
 }
 
 PreflightResult AutopilotClient::check(Time now) const {
   PreflightInputs in;
   in.type = telemetry_.type();
   in.hovers = options_.hovers;
-  in.start = options_.start;
   in.quality = telemetry_.quality();
   in.origin = telemetry_.at_origin();
-  if (motion_) {
-    in.position = motion_->p_N;
-    in.position_age = (motion_at_ - motion_->time).seconds();
-  }
-  const double window = (now - std::max(set_up_, now - kRateWindow)).seconds();
-  in.position_rate = window > 0 ? static_cast<double>(positions_.size()) / window : 0;
-  in.since_position = positions_.empty() ? 1e9 : (now - positions_.back()).seconds();
-  if (jump_at_) in.since_jump = (now - *jump_at_).seconds();
+  positions_.describe_to(in, set_up_, now);
   if (clock_set_at_) in.since_clock = (now - *clock_set_at_).seconds();
   in.home = telemetry_.home();
   in.since_heartbeat = (now - heartbeat_).seconds();
@@ -464,11 +448,11 @@ bool AutopilotClient::admits(std::uint32_t number, const VehicleRequest& request
 void AutopilotClient::hear_identity(const mavlink::AutopilotVersion& version) {
   capabilities_ = version.capabilities;
   version_ = version.flight_sw_version;
-  if (uid_ && *uid_ != version.uid && version.uid != 0)
+  const bool first = uids_.empty();
+  if (version.uid != 0 && uids_.insert(version.uid).second && !first)
     report_change(Kind::kMismatch,
                   fmt::format("another aircraft answers as number {} than before",
                               options_.system));
-  if (version.uid != 0) uid_ = version.uid;
   VehicleIdentity identity;
   identity.make = fmt::format("{} {}.{}.{}", name_of(telemetry_.make()), version_ >> 24,
                               version_ >> 16 & 0xff, version_ >> 8 & 0xff);
@@ -479,7 +463,8 @@ void AutopilotClient::hear_identity(const mavlink::AutopilotVersion& version) {
     identity.following = Following::kTrajectory;
   else if ((capabilities_ & kTakesAttitude) != 0)
     identity.following = Following::kBank;
-  reports_.emplace_back(std::move(identity));
+  if (std::exchange(identified_, identity.make) != identity.make)
+    reports_.emplace_back(std::move(identity));
 }
 
 // Parts of a long text are joined; the last is the one that is not full.
@@ -520,9 +505,9 @@ void AutopilotClient::request(std::uint32_t number, const VehicleRequest& reques
     return request_fence(number, *fence);
   if (!placed()) return refuse(number, RequestAnswer::Outcome::kDenied, {});
   if (const auto* bank = std::get_if<BankSetpoint>(&request))
-    return send_bank(*bank, now, out);
+    return setpoints_.send(*bank, now, *channel_, out, commands_);
   if (const auto* track = std::get_if<TrackSetpoint>(&request))
-    return send_track(*track, out);
+    return setpoints_.send(*track, *channel_, out);
   if (!admits(number, request, now)) return;
   const RequestTarget target{telemetry_.make(), telemetry_.hovers(),
                              telemetry_.home_msl().value_or(0)};
@@ -543,66 +528,6 @@ void AutopilotClient::request_fence(std::uint32_t number, const FenceUpload& fen
   // What waits is of older zones.
   fences_.abandon("another fence follows");
   fences_.add({number, std::move(steps)});
-}
-
-void AutopilotClient::send_bank(const BankSetpoint& setpoint, Time now, Outbox& out) {
-  mavlink::SetAttitudeTarget attitude;
-  attitude.time_boot_ms = static_cast<std::uint32_t>(now.ns() / 1'000'000);
-  attitude.target_system = options_.system;
-  attitude.target_component = kAutopilotComponent;
-  // Roll alone counts: ArduPilot takes it for such a mask, and height and speed are its
-  // own affair.
-  attitude.type_mask = 0b1100'0110;
-  const double half = setpoint.roll / 2;
-  attitude.q = {static_cast<float>(math::cos(half)), static_cast<float>(math::sin(half)),
-                0, 0};
-  out.send(*channel_, attitude);
-
-  const bool moved =
-      !altitude_ || std::abs(*altitude_ - setpoint.altitude_msl) > kAltitudeStep;
-  if (moved || now >= altitude_due_) {
-    altitude_ = setpoint.altitude_msl;
-    altitude_due_ = now + kAltitudePeriod;
-    mavlink::SetPositionTargetGlobalInt target;
-    target.time_boot_ms = attitude.time_boot_ms;
-    target.target_system = options_.system;
-    target.target_component = kAutopilotComponent;
-    target.coordinate_frame = 5;  // global, altitude above mean sea level
-    target.type_mask = 0xfffb;    // nothing but the altitude
-    target.alt = static_cast<float>(setpoint.altitude_msl);
-    out.send(*channel_, target);
-  }
-  const bool faster =
-      !airspeed_ || std::abs(*airspeed_ - setpoint.airspeed) > kAirspeedStep;
-  if (faster && now >= airspeed_due_) {
-    airspeed_ = setpoint.airspeed;
-    airspeed_due_ = now + kSecond;
-    commands_.add(
-        {0, {command(kDoChangeSpeed, 0, static_cast<float>(setpoint.airspeed), -1)}});
-  }
-}
-
-void AutopilotClient::send_track(const TrackSetpoint& setpoint, Outbox& out) {
-  mavlink::SetPositionTargetGlobalInt target;
-  target.target_system = options_.system;
-  target.target_component = kAutopilotComponent;
-  target.coordinate_frame = 5;
-  constexpr std::uint16_t kIgnoreYaw = 0x400, kIgnoreYawRate = 0x800;
-  target.type_mask =
-      setpoint.heading ? kIgnoreYawRate : std::uint16_t{kIgnoreYaw | kIgnoreYawRate};
-  const ScaledPlace place = scaled_place(setpoint.p_N.head<2>(), frame_);
-  target.lat_int = place.latitude;
-  target.lon_int = place.longitude;
-  target.alt = static_cast<float>(-setpoint.p_N.z());
-  const Eigen::Vector3f v = setpoint.v_N.cast<float>(), a = setpoint.a_N.cast<float>();
-  target.vx = v.x();
-  target.vy = v.y();
-  target.vz = v.z();
-  target.afx = a.x();
-  target.afy = a.y();
-  target.afz = a.z();
-  target.yaw = static_cast<float>(setpoint.heading.value_or(0));
-  out.send(*channel_, target);
 }
 
 void AutopilotClient::report_condition(Time now) {
@@ -639,13 +564,6 @@ void AutopilotClient::step(Time now, Outbox& out) {
   }
   // It answers but says nothing of its motion: what was asked for was lost.
   if (now - position_ > kDuplicateWindow && now - set_up_ > kDuplicateWindow) set_up(now);
-  if (!telemetry_.home() && now >= home_due_) {
-    home_due_ = now + kHomePeriod;
-    set_ups_.add(
-        {0,
-         {command(kRequestMessage,
-                  static_cast<float>(mavlink::kFacts<mavlink::HomePosition>.id))}});
-  }
   step_requests(now, out);
   report_condition(now);
 }
@@ -653,7 +571,7 @@ void AutopilotClient::step(Time now, Outbox& out) {
 void AutopilotClient::step_requests(Time now, Outbox& out) {
   commands_.step(now, *channel_, out);
   fences_.step(now, *channel_, out);
-  set_ups_.step(now, *channel_, out);
+  set_ups_.step(now, telemetry_.home().has_value(), *channel_, out);
   std::vector<RequestAnswer> answers = commands_.take_answers();
   for (const RequestAnswer& answer : answers)
     commanded_ = commanded_ || answer.outcome == RequestAnswer::Outcome::kAccepted;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,7 +14,10 @@
 #include "skein/link/autopilot_client/clock_alignment.h"
 #include "skein/link/autopilot_client/command_sender.h"
 #include "skein/link/autopilot_client/identity_watch.h"
+#include "skein/link/autopilot_client/position_history.h"
+#include "skein/link/autopilot_client/setpoint_sender.h"
 #include "skein/link/autopilot_client/telemetry.h"
+#include "skein/link/autopilot_client/telemetry_requests.h"
 #include "skein/link/mavlink/frame.h"
 #include "skein/link/mavlink/sequence_watch.h"
 #include "skein/link/vehicle_services/outbox.h"
@@ -49,7 +51,8 @@ struct AutopilotClientOptions {
 ///   - a reboot (the vehicle's clock goes back): reported, set up anew;
 ///   - another vehicle under its number: reported once; one of another airframe is not
 ///     commanded; of two at once the first counts, and by one channel, where nobody can
-///     tell them apart, neither is commanded;
+///     tell them apart, neither is commanded (IdentityWatch); one vehicle that is heard
+///     by two links is led by the first;
 ///   - a vehicle of another number in its place, or none at all: reported once;
 ///   - a clock that answers are given by and telemetry is not, or that is set: reported,
 ///     aligned again;
@@ -105,11 +108,11 @@ class AutopilotClient {
   struct Handler;
 
   bool accepts(const mavlink::Frame& frame, Channel from, Time now);
+  void compare_other(const mavlink::Frame& frame, Time now);
   void hear_heartbeat(const mavlink::Heartbeat& heartbeat, Channel from, Time now);
   void hear_clock(Time boot, Time now);
   void hear_answer(const mavlink::Timesync& answer, Time now);
   void hear_position(const mavlink::GlobalPositionInt& position, Time now);
-  void watch_place(const VehicleMotion& motion, Time now);
   void report_event(const char* kind, std::string text);
   PreflightResult check(Time now) const;
   bool admits(std::uint32_t number, const VehicleRequest& request, Time now);
@@ -122,16 +125,13 @@ class AutopilotClient {
   void set_up(Time now);
   void report_condition(Time now);
   void report_change(LinkChange::Kind kind, std::string text);
-  void send_bank(const BankSetpoint& setpoint, Time now, Outbox& out);
-  void send_track(const TrackSetpoint& setpoint, Outbox& out);
   void request_fence(std::uint32_t number, const FenceUpload& fence);
   void refuse(std::uint32_t number, RequestAnswer::Outcome outcome, std::string why);
   void step_requests(Time now, Outbox& out);
   bool ours() const { return !mismatched_ && !ambiguous_ && !two_speak_; }
   // In flight: it is where it is to be when it is first commanded.
   bool placed() const {
-    return commanded_ || !options_.start || telemetry_.condition().on_ground ||
-           (motion_ && !misplaced_);
+    return commanded_ || telemetry_.condition().on_ground || positions_.is_in_place();
   }
 
   AutopilotClientOptions options_;
@@ -139,8 +139,10 @@ class AutopilotClient {
   Telemetry telemetry_;
   ClockAlignment clock_;
   CommandSender commands_;
-  CommandSender fences_;   // beside them: commands do not wait for a long fence
-  CommandSender set_ups_;  // the same, for what is asked for when the link comes up
+  CommandSender fences_;  // beside them: commands do not wait for a long fence
+  TelemetryRequests set_ups_;
+  SetpointSender setpoints_;
+  PositionHistory positions_;
   FeedHealth feeds_;
   mavlink::SequenceWatch sequence_;
   IdentityWatch identity_;
@@ -150,21 +152,16 @@ class AutopilotClient {
   std::optional<Channel> channel_;  // by which it is heard
   bool up_ = false, mismatched_ = false, duplicate_ = false;
   bool ambiguous_ = false;  // two answer by one channel
-  bool misplaced_ = false;  // not where it is to begin
   bool commanded_ = false;  // it has accepted something, so it began where it was to
   bool other_clock_said_ = false, absence_said_ = false;
   Time came_up_;
   std::optional<double> trip_;  // of the last answer about time, since it came up [s]
   int other_clock_ = 0;         // answers in a row by another clock than the telemetry's
-  std::set<std::uint8_t> others_;        // numbers heard in its place
-  std::optional<Time> other_since_;      // the first of them
-  std::optional<Time> begun_;            // the first step
-  std::optional<VehicleMotion> motion_;  // the last
-  Time motion_at_;                       // when it came in
-  bool known_ = false;                   // it was one that the vehicle is sure of
-  std::optional<Time> jump_at_, clock_set_at_;
-  std::deque<Time> positions_;  // when they came in, those of late
-  std::uint32_t failed_ = 0;    // items of the check, and what was said of them
+  std::set<std::uint8_t> others_;    // numbers heard in its place
+  std::optional<Time> other_since_;  // the first of them
+  std::optional<Time> begun_;        // the first step
+  std::optional<Time> clock_set_at_;
+  std::uint32_t failed_ = 0;  // items of the check, and what was said of them
   std::string failed_text_;
   bool was_up_ = false;
   Time heard_;                // last
@@ -172,15 +169,15 @@ class AutopilotClient {
   Time set_up_;               // last
   std::optional<Time> boot_;  // the vehicle's clock, last
   std::optional<Time> rebooted_;
-  std::optional<std::uint64_t> uid_;
+  std::set<std::uint64_t> uids_;  // of boards that answered
+  std::string identified_;        // reported
   std::uint64_t capabilities_ = 0;
   std::uint32_t version_ = 0;
-  Time heartbeat_due_, timesync_due_, condition_due_, altitude_due_, airspeed_due_;
-  Time heartbeat_, home_due_;
+  Time heartbeat_due_, timesync_due_, condition_due_;
+  Time heartbeat_;
   VehicleCondition reported_;
-  std::optional<double> airspeed_;  // demanded last
-  std::optional<double> altitude_;  // the same
-  std::string complaint_;           // the last text of weight
+  std::uint32_t mode_ = 0;  // as its make counts them, of the last heartbeat
+  std::string complaint_;   // the last text of weight
   Time complained_;
   std::string long_text_;  // of several parts
   std::vector<VehicleReport> reports_;

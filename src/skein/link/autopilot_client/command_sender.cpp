@@ -21,6 +21,7 @@ using Outcome = RequestAnswer::Outcome;
 
 const Time kAgainAfter = Time::from_seconds(0.5);
 const Time kPatienceFor = Time::from_seconds(6);
+constexpr int kRoundTrips = 4;  // that the first answer may take in addition
 const Time kPatienceInProgress = Time::from_seconds(60);
 constexpr std::size_t kMaxWaiting = 32;
 
@@ -37,6 +38,34 @@ std::optional<std::uint16_t> command_in(const RequestStep& step) {
   if (const auto* command = std::get_if<CommandLong>(&step)) return command->command;
   if (const auto* command = std::get_if<CommandInt>(&step)) return command->command;
   return std::nullopt;
+}
+
+// Whether it goes on whatever mode the vehicle is in.
+bool stops_motors(const RequestStep& step) {
+  const auto* command = std::get_if<CommandLong>(&step);
+  return command && command->command == kArmDisarm && command->param1 < 0.5F &&
+         command->param2 > 0;
+}
+
+// Whether it changes who flies, or whether it flies.
+bool takes_control(const RequestStep& step) {
+  switch (command_in(step).value_or(0)) {
+    case kDoSetMode:
+    case kArmDisarm:
+    case kNavTakeOff:
+    case kNavLand:
+    case kDoReposition:
+      return !stops_motors(step);
+    default:
+      return false;
+  }
+}
+
+// Whether the request is a command to whoever flies; a list that is stored is none.
+bool is_command(const NumberedRequest& request) {
+  return std::ranges::any_of(request.steps, [](const RequestStep& step) {
+    return command_in(step).has_value() && !stops_motors(step);
+  });
 }
 
 std::uint8_t number_of(const SendMission& mission) {
@@ -131,10 +160,85 @@ std::string CommandSender::name() const {
   return after ? command + " " + after->name : command;
 }
 
-void CommandSender::report(const VehicleCondition& condition) {
+void CommandSender::report(const VehicleCondition& condition, std::uint32_t mode_number,
+                           Time now) {
+  const bool taken =
+      takeover_.report(condition.mode, mode_number) && make_ != mavlink::Make::kOther;
   mode_ = condition.mode;
   mode_name_ = condition.mode_name;
   armed_ = condition.armed;
+  heartbeat_ = now;
+  if (taken) return withdraw();
+  if (is_shown()) step_done();
+}
+
+void CommandSender::report_landed(bool on_ground, Time now) {
+  on_ground_ = on_ground;
+  landed_at_ = now;
+  if (is_shown()) step_done();
+}
+
+// The modes that the step under way leads to.
+ModeSet CommandSender::leads_to() const {
+  const NumberedRequest& request = waiting_.front();
+  const std::size_t last = std::min(place_ + 1, request.steps.size() - 1);
+  for (std::size_t k = place_; k <= last; ++k)
+    if (const auto* mode = std::get_if<AwaitMode>(&request.steps[k]))
+      return mode_set(mode->mode);
+  switch (command_in(request.steps[place_]).value_or(0)) {
+    case kNavTakeOff:
+      return mode_set(VehicleMode::kTakeOff);
+    case kNavLand:
+      return mode_set(VehicleMode::kLand);
+    case kDoReposition:
+      return mode_set(make_ == mavlink::Make::kPx4 ? VehicleMode::kHold
+                                                   : VehicleMode::kGuided);
+    default:
+      return 0;
+  }
+}
+
+// Whether the last heartbeat shows what the command under way is for.
+bool CommandSender::is_shown() const {
+  if (waiting_.empty() || !sent_) return false;
+  const RequestStep& step = waiting_.front().steps[place_];
+  const bool in_mode = (leads_to() & mode_set(mode_)) != 0;
+  switch (command_in(step).value_or(0)) {
+    case kDoSetMode:
+      return in_mode;
+    case kArmDisarm:
+      return armed_ == (std::get<CommandLong>(step).param1 > 0.5F);
+    case kNavTakeOff:
+      return (in_mode && mode_ != mode_before_) || (stood_ && !on_ground_);
+    case kNavLand:
+    case kDoReposition:
+      return in_mode && mode_ != mode_before_;
+    default:
+      return false;
+  }
+}
+
+// The vehicle may have obeyed it, and its pilot have decided otherwise since: that shows
+// in a heartbeat that was sent after it arrived.
+bool CommandSender::may_repeat() const {
+  const RequestStep& step = waiting_.front().steps[place_];
+  if (!takes_control(step)) return true;
+  const Time shown = *sent_ + std::max(kAgainAfter, round_trip_);
+  if (command_in(step) == kNavTakeOff && landed_at_ && *landed_at_ < shown) return false;
+  return !in_progress_ && heartbeat_ && *heartbeat_ >= shown;
+}
+
+void CommandSender::withdraw() {
+  const std::string why = fmt::format(
+      "withdrawn, since somebody else has changed its mode to {}", mode_name_);
+  while (!waiting_.empty() && is_command(waiting_.front()))
+    fail(Outcome::kWithdrawn, why);
+  std::erase_if(waiting_, [&](const NumberedRequest& request) {
+    if (!is_command(request)) return false;
+    if (request.number != 0)
+      answers_.push_back({request.number, Outcome::kWithdrawn, why});
+    return true;
+  });
 }
 
 bool CommandSender::add(NumberedRequest request) {
@@ -144,16 +248,18 @@ bool CommandSender::add(NumberedRequest request) {
   }
   if (waiting_.size() >= kMaxWaiting) return false;
   waiting_.push_back(std::move(request));
+  if (waiting_.size() == 1) begin_step();
   return true;
 }
 
 void CommandSender::step_done() {
+  if (++place_ >= waiting_.front().steps.size()) {
+    if (waiting_.front().number != 0)
+      answers_.push_back({waiting_.front().number, Outcome::kAccepted, {}});
+    waiting_.pop_front();
+    place_ = 0;
+  }
   begin_step();
-  if (++place_ < waiting_.front().steps.size()) return;
-  if (waiting_.front().number != 0)
-    answers_.push_back({waiting_.front().number, Outcome::kAccepted, {}});
-  waiting_.pop_front();
-  place_ = 0;
 }
 
 void CommandSender::fail(Outcome outcome, std::string text) {
@@ -169,9 +275,11 @@ void CommandSender::begin_step() {
   sent_.reset();
   item_.reset();
   tries_ = 0;
-  rejected_ = false;
+  rejected_ = in_progress_ = false;
   kept_.reset();
   kept_times_ = 0;
+  takeover_.end();
+  if (!waiting_.empty()) takeover_.lead_to(leads_to());
 }
 
 void CommandSender::abandon(const std::string& why) {
@@ -190,6 +298,7 @@ void CommandSender::handle(const mavlink::CommandAck& ack, Time now) {
     case kResultAccepted:
       return step_done();
     case kResultInProgress:
+      in_progress_ = true;
       patient_until_ = now + kPatienceInProgress;
       return;
     case kResultTemporarilyRejected:
@@ -208,7 +317,7 @@ void CommandSender::handle(const mavlink::ParamValue& value) {
   if (!current<SetParameter>() || !sent_) return;
   auto& change = std::get<SetParameter>(waiting_.front().steps[place_]);
   if (mavlink::text_of(value.param_id) != change.name) return;
-  const double stored = decoded(value, bytewise_);
+  const double stored = decoded(value, make_ == mavlink::Make::kPx4);
   if (is_value(stored, change.value, value.param_type)) return step_done();
   change.type = value.param_type;
   // Somebody else's question may bring the old one; what it says again and again after it
@@ -277,7 +386,7 @@ void CommandSender::send(Time now, Channel channel, Outbox& out) {
       set.target_system = self.system_;
       set.target_component = self.component_;
       mavlink::set_text(set.param_id, change.name);
-      set.param_value = coded(change, self.bytewise_);
+      set.param_value = coded(change, self.make_ == mavlink::Make::kPx4);
       set.param_type = change.type;
       out.send(channel, set);
     }
@@ -320,14 +429,17 @@ void CommandSender::step(Time now, Channel channel, Outbox& out) {
   if (waiting_.empty()) return;
   if (current<AwaitMode>() || current<AwaitArmed>()) return await(now);
   if (!sent_) {
-    patient_until_ = now + kPatienceFor;
+    patient_until_ = now + kPatienceFor + round_trip_ * kRoundTrips;
+    mode_before_ = mode_;
+    stood_ = on_ground_;
     return send(now, channel, out);
   }
   if (now >= patient_until_ && rejected_)
     fail(Outcome::kDenied, text_of_result(kResultTemporarilyRejected));
   else if (now >= patient_until_)
-    fail(Outcome::kNoAnswer, fmt::format("not answered in {} tries", tries_));
-  else if (now - *sent_ >= kAgainAfter)
+    fail(Outcome::kNoAnswer,
+         fmt::format("not answered in {} {}", tries_, tries_ == 1 ? "try" : "tries"));
+  else if (now - *sent_ >= kAgainAfter && may_repeat())
     send(now, channel, out);
 }
 

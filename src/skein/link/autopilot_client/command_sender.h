@@ -11,7 +11,9 @@
 
 #include "skein/base/time.h"
 #include "skein/data/vehicle/vehicle_report.h"
+#include "skein/link/autopilot_client/takeover_watch.h"
 #include "skein/link/mavlink/constants.h"
+#include "skein/link/mavlink/flight_modes.h"
 #include "skein/link/mavlink/messages.h"
 #include "skein/link/vehicle_services/outbox.h"
 
@@ -54,9 +56,17 @@ struct NumberedRequest {
 /// Sends requests one after the other until each is answered.
 ///
 /// A step that is not answered is sent again each half second, commands with a rising
-/// confirmation, for six seconds; what is in progress, and a mission of which items are
-/// asked for, may take longer. All of the vehicle's protocols are played by the vehicle's
-/// own rules of repetition, so that answers which come twice do no harm.
+/// confirmation, for six seconds and four round trips; what is in progress, and a mission
+/// of which items are asked for, may take longer. All of the vehicle's protocols are
+/// played by the vehicle's own rules of repetition, so that answers which come twice do
+/// no harm.
+///
+/// A command that changes who flies (a mode, arming, take-off, landing, going to a place)
+/// is sent again only after a heartbeat that was sent later than it arrived and shows
+/// that it had no effect; where a heartbeat shows its effect it is done, whether or not
+/// it was acknowledged. When a heartbeat shows a mode that nothing here leads to
+/// (TakeoverWatch), all requests with commands are withdrawn: whoever chose that mode
+/// keeps it. Only disarming by force is not: it is sent until it is answered.
 ///
 /// The text of an answer that is no acceptance begins with the step that failed: "arm:
 /// denied", "mode GUIDED: not answered in 12 tries".
@@ -70,10 +80,16 @@ class CommandSender {
 
   void handle(const mavlink::CommandAck& ack, Time now);
   void handle(const mavlink::ParamValue& value);
-  /// The vehicle has said how it is.
-  void report(const VehicleCondition& condition);
-  /// Whether integers are the bits of parameters' values (PX4); else they are numbers.
-  void set_bytewise(bool bytewise) { bytewise_ = bytewise; }
+  /// A heartbeat has come in.
+  /// @param mode_number  as the vehicle's make counts modes.
+  void report(const VehicleCondition& condition, std::uint32_t mode_number, Time now);
+  /// It has been reported whether the vehicle stands, which heartbeats do not say.
+  void report_landed(bool on_ground, Time now);
+  /// PX4 sends integers as the bits of parameters' values, others as numbers. The modes
+  /// of unknown makes say nothing of who flies.
+  void set_make(mavlink::Make make) { make_ = make; }
+  /// From here to the vehicle and back.
+  void set_round_trip(Time round_trip) { round_trip_ = round_trip; }
   void handle(const mavlink::MissionRequest& request, vehicle_services::Channel channel,
               Time now, vehicle_services::Outbox& out);
   void handle(const mavlink::MissionRequestInt& request,
@@ -97,6 +113,10 @@ class CommandSender {
                  vehicle_services::Outbox& out);
   void begin_step();
   void await(Time now);
+  bool may_repeat() const;
+  bool is_shown() const;
+  ModeSet leads_to() const;
+  void withdraw();
   std::string name() const;
   void step_done();
   void fail(RequestAnswer::Outcome outcome, std::string text);
@@ -112,12 +132,20 @@ class CommandSender {
   Time patient_until_;        // for its answer
   std::uint8_t tries_ = 0;
   bool rejected_ = false;              // for now, as the vehicle said
+  bool in_progress_ = false;           // the same
   std::optional<std::uint16_t> item_;  // of a mission: sent last
   std::optional<double> kept_;         // of a parameter: another value than was asked for
   int kept_times_ = 0;
   VehicleMode mode_ = VehicleMode::kOther;
   std::string mode_name_;
-  bool armed_ = false, bytewise_ = false;
+  bool armed_ = false;
+  bool on_ground_ = true;  // until it is reported
+  mavlink::Make make_ = mavlink::Make::kOther;
+  TakeoverWatch takeover_;
+  std::optional<Time> heartbeat_, landed_at_;  // reported last
+  Time round_trip_;
+  VehicleMode mode_before_ = VehicleMode::kOther;  // the step under way was first sent
+  bool stood_ = false;                             // then
   std::vector<RequestAnswer> answers_;
 };
 

@@ -170,11 +170,21 @@ void VehicleFeed::hear(Shown& shown, const VehicleRequest& request,
   }
 }
 
+std::string VehicleFeed::aircraft_of(std::size_t server) const {
+  for (const Shown& shown : shown_)
+    if (shown.aircraft.server == server) return shown.aircraft.name;
+  return {};
+}
+
 std::vector<CommandRecord> VehicleFeed::commands() {
   std::vector<CommandRecord> all;
   for (Shown& shown : shown_)
     for (const VehicleRequest& request : links_.take_requests(shown.aircraft.server))
       hear(shown, request, all);
+  for (RefusedOrder& order : links_.take_refused())
+    all.push_back({now_, kSender,
+                   RefusedCommand{order.shown ? aircraft_of(*order.shown) : order.vehicle,
+                                  std::move(order.text)}});
   return all;
 }
 

@@ -44,7 +44,7 @@ class VehicleFeed final : public Recorder {
   void record(const Record& record) override;
   Result<void> step_done(Time time) override;
 
-  /// What ground stations have asked for since the last call.
+  /// What ground stations have asked for since the last call, and what of it was refused.
   std::vector<CommandRecord> commands();
 
  private:
@@ -59,6 +59,7 @@ class VehicleFeed final : public Recorder {
   struct Listener;
 
   Shown* find(EntityId id);
+  std::string aircraft_of(std::size_t server) const;
   void hear(Shown& shown, const VehicleRequest& request, std::vector<CommandRecord>& out);
   std::optional<Command> task_for(const Shown& shown,
                                   const VehicleRequest& request) const;

@@ -27,7 +27,6 @@ const Time kShownPeriod = Time::from_seconds(0.02);
 // Telemetry of many vehicles goes out in few datagrams: buffers of sockets hold some
 // hundreds of them, however small.
 constexpr std::size_t kMaxDatagram = 1400;
-const Time kRefusalPeriod = Time::from_seconds(60);
 constexpr std::size_t kMaxTraffic = 20'000;  // while nobody takes it
 constexpr std::size_t kMaxRequests = 1000;   // of a vehicle, while nobody takes them
 
@@ -65,13 +64,16 @@ struct VehicleLinks::Vehicle {
 // thread does the rest.
 struct VehicleLinks::Shown {
   Shown(const vehicle_services::VehicleServerOptions& options,
-        const geo::LocalFrame& frame, std::uint16_t of, vehicle_services::Outbox outbox)
+        const geo::LocalFrame& frame, std::size_t which, std::uint16_t of,
+        vehicle_services::Outbox outbox)
       : server(options, frame),
+        number(which),
         system(options.system),
         group(of),
         out(std::move(outbox)) {}
 
   vehicle_services::VehicleServer server;
+  std::size_t number;  // as show() gave it
   std::uint8_t system;
   std::uint16_t group;
   vehicle_services::Outbox out;
@@ -236,8 +238,8 @@ std::size_t VehicleLinks::show(vehicle_services::VehicleServerOptions vehicle) {
         send(channel, bytes);
       },
       &security_);
-  shown_.push_back(
-      std::make_unique<Shown>(vehicle, frame_, numbers.port_offset, std::move(out)));
+  shown_.push_back(std::make_unique<Shown>(vehicle, frame_, shown_.size(),
+                                           numbers.port_offset, std::move(out)));
   shown_at_[{numbers.port_offset, numbers.system}] = shown_.back().get();
   return shown_.size() - 1;
 }
@@ -531,23 +533,20 @@ void VehicleLinks::secure(const Planned& planned, transport::ChannelId channel,
   security_.allow_unsigned(channel, at.unsigned_frames.value_or(usual));
 }
 
-// Answers an order that is not signed, and says so to the station and in the log: once to
-// each, and once a minute.
+// Answers an order that is not signed, and says so to the station, once.
 void VehicleLinks::refuse(Peer& peer, transport::ChannelId channel,
                           const mavlink::Frame& frame) {
-  ++refused_orders_;
-  const Time now = this->now();
-  const auto shown = shown_at_.find({peer.group, frame.target_system()});
+  const std::uint8_t system = frame.target_system();
+  const auto shown = shown_at_.find({peer.group, system});
   Shown* target = shown == shown_at_.end() ? nullptr : shown->second;
   vehicle_services::refuse_order(frame, channel, target ? target->out : out_);
   if (!std::exchange(peer.refused, true) && target)
     target->server.say(mavlink::Severity::kWarning, "Refused: commands must be signed");
-  if (now < refusal_due_) return;
-  refusal_due_ = now + kRefusalPeriod;
-  log_warning(
-      "{}: a command is refused, since it is not signed ({} so far); see "
-      "links.ground_stations.unsigned",
-      peer.name, refused_orders_);
+  RefusedOrder order;
+  if (target) order.shown = target->number;
+  for (const auto& vehicle : vehicles_)
+    if (!target && vehicle->client.system() == system) order.vehicle = vehicle->name;
+  refused_.add(peer.name, std::move(order), now());
 }
 
 void VehicleLinks::closed(transport::ChannelId channel, const std::string&) {

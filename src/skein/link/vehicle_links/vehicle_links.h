@@ -23,6 +23,7 @@
 #include "skein/link/router/frame_router.h"
 #include "skein/link/transport/endpoints.h"
 #include "skein/link/vehicle_links/mailbox.h"
+#include "skein/link/vehicle_links/refused_orders.h"
 #include "skein/link/vehicle_links/traffic_exchange.h"
 #include "skein/link/vehicle_services/vehicle_server.h"
 #include "skein/role/vehicle_port.h"
@@ -106,6 +107,8 @@ class VehicleLinks final : public transport::ChannelListener {
   /// Of a vehicle that is shown; any thread may call these.
   void update(std::size_t shown, const vehicle_services::VehicleSnapshot& snapshot);
   std::vector<VehicleRequest> take_requests(std::size_t shown);
+  /// Orders of ground stations that were refused; any thread may call it.
+  std::vector<RefusedOrder> take_refused() { return refused_.take(); }
   /// The run's clock, which telemetry goes by.
   void set_simulated(Time time) { simulated_ns_ = time.ns(); }
   void set_paused(bool paused) { paused_ = paused; }
@@ -204,8 +207,7 @@ class VehicleLinks final : public transport::ChannelListener {
   std::vector<router::Channel> to_;  // used again for each frame
   bool gathers_ = false;             // what is for stations
   mavlink::LinkSecurity security_;
-  std::uint64_t refused_orders_ = 0;
-  Time refusal_due_;  // of the next word about them
+  RefusedOrders refused_;
   vehicle_services::Outbox out_;
   transport::Endpoints endpoints_;
   std::atomic<bool> stop_ = false;

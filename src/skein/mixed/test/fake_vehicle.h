@@ -57,6 +57,9 @@ struct Faults {
   bool no_fix = false;                ///< its receiver has no fix
   bool no_home = false;               ///< no HOME_POSITION
   double position_rate = 10;          ///< of its positions [Hz]; 0: none
+  double ack_loss = 0;                ///< probability that an acknowledgement is lost
+  double command_loss = 0;            ///< the same of a command, each time it is sent
+  unsigned seed = 1;                  ///< of what is lost
   double charge = 0.9;                ///< of its battery
   double climb_limit = 1e9;           ///< it climbs no higher [m]
   std::uint8_t type = 2;              ///< MAV_TYPE
@@ -98,10 +101,17 @@ class FakeVehicle {
   int setpoints = 0;                      ///< obeyed
   int arms = 0, take_offs = 0;            ///< commands that it accepted
   std::map<std::uint16_t, int> commands;  ///< that came in, by their numbers
+  /// Times that a repeated command took it from who had chosen a mode.
+  int overridden = 0;
+  /// The same by a command first sent before a heartbeat could tell.
+  int crossed = 0;
 
   /// Someone else changes its mode: a pilot, or a failsafe of its own.
   void change_mode(VehicleMode to) {
-    if (const auto number = mavlink::custom_mode_of(make_, true, to)) set_mode(*number);
+    const auto number = mavlink::custom_mode_of(make_, true, to);
+    if (!number) return;
+    set_mode(*number);
+    changed_at_ = now;
   }
 
   /// It says something to people.
@@ -317,7 +327,7 @@ class FakeVehicle {
       mavlink::set_text(text.text, faults.refusal);
       out_.send(1, text);
     }
-    out_.send(1, ack);
+    if (!chance(faults.ack_loss)) out_.send(1, ack);
   }
 
   void take(const mavlink::CommandInt& m) {
@@ -333,9 +343,18 @@ class FakeVehicle {
 
   void take(const mavlink::CommandLong& m) {
     ++commands[m.command];
-    if (deaf()) return;
+    if (deaf() || chance(faults.command_loss)) return;
     const bool refused = faults.refuses.contains(m.command);
-    answer(m.command, refused || !obey(m) ? kDenied : kAccepted);
+    const std::uint32_t mode_before = custom_mode_;
+    const bool armed_before = armed;
+    const bool accepted = !refused && obey(m);
+    // What was under way when the mode was changed could not be stopped.
+    const bool changed = custom_mode_ != mode_before || armed != armed_before;
+    if (changed && changed_at_ && m.confirmation > 0 && now - *changed_at_ > s(0.1))
+      ++overridden;
+    if (changed && changed_at_ && m.confirmation == 0 && now - *changed_at_ < s(1.2))
+      ++crossed;
+    answer(m.command, accepted ? kAccepted : kDenied);
   }
 
   // Whether it accepts the command.
@@ -392,6 +411,11 @@ class FakeVehicle {
     goal_ = Vec3(place.x(), place.y(), -static_cast<double>(m.alt)) - off;
   }
 
+  bool chance(double probability) {
+    return probability > 0 &&
+           std::uniform_real_distribution<double>()(random_) < probability;
+  }
+
   Make make_;
   const geo::LocalFrame& frame_;
   std::vector<std::vector<std::byte>> sent_;
@@ -402,6 +426,8 @@ class FakeVehicle {
   double climb_to_ = 0;
   Time heard_setpoint_ = s(-1000);
   std::map<std::string, Time> due_;
+  std::optional<Time> changed_at_;  // its mode, by someone else
+  std::mt19937 random_{faults.seed};
 };
 
 }  // namespace skein::mixed::fake

@@ -113,6 +113,23 @@ TEST(FlightDirector, AsksToTakeOffAgainAndReportsADenialOnce) {
   EXPECT_EQ(c.reported("pilot-took-over"), 0u);  // manual, but on the ground
 }
 
+// Somebody chose another mode on the ground while the take-off was being asked for.
+TEST(FlightDirector, LeavesItToWhoeverWithdrewItsTakeOff) {
+  Cockpit c;
+  c.set(VehicleMode::kManual, "MANUAL", false, true);
+  c.director.take_off({100, {}});
+  c.run(1);
+  c.set(VehicleMode::kStabilized, "FBWA", false, true);
+  c.answer(Outcome::kWithdrawn, "mode TAKEOFF: withdrawn");
+  c.run(60);
+  EXPECT_EQ(c.count<TakeOffRequest>(), 1u);
+  EXPECT_EQ(c.reported("take-off-denied"), 0u);
+  EXPECT_EQ(c.reported("pilot-took-over"), 1u);
+  c.set(VehicleMode::kGuided, "GUIDED", false, true);
+  c.run(5);
+  EXPECT_EQ(c.count<TakeOffRequest>(), 2u) << "handed back";
+}
+
 TEST(FlightDirector, GoesOverToGuidedWhenItHasClimbed) {
   Cockpit c;
   c.set(VehicleMode::kManual, "MANUAL", false, true);

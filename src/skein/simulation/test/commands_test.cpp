@@ -75,6 +75,20 @@ TEST(Run, PassesCommandsOnToGroundStationsAndRecordsThem) {
   EXPECT_EQ(notes.commands[0].sender, "operator");
 }
 
+// Where it came in, by whoever serves the aircraft: the run only notes it.
+TEST(Run, AnOrderThatWasRefusedIsAnEventOfItsAircraft) {
+  World world = make_world(2);
+  const std::string name = world.entities[1].name;
+  Notes notes;
+  Operator console;
+  console.plan[5] = {RefusedCommand{name, "not signed"}, RefusedCommand{"", "for all"}};
+  ASSERT_TRUE(run(world, seconds(2), notes, console).ok());
+  EXPECT_NE(notes.text.find(" 1 command-refused not signed;"), std::string::npos)
+      << notes.text;
+  EXPECT_NE(notes.text.find(" command-refused for all;"), std::string::npos);
+  ASSERT_EQ(notes.commands.size(), 2u) << "recorded, so that it is there again";
+}
+
 TEST(Run, WhatIsCommandedBeforeTheFirstStepReachesStationsToo) {
   World world = make_world(1);
   add_station(world);

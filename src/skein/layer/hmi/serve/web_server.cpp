@@ -16,7 +16,11 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/ssl/context.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <exception>
 #include <map>
+#include <optional>
+#include <set>
 #include <thread>
 
 #include "skein/base/log.h"
@@ -54,6 +58,19 @@ std::vector<std::string> own_names() {
   return {name.data(), std::string(name.data()) + ".local"};
 }
 
+// What cannot be made is answered too: there is nobody behind the worker to throw to.
+HttpAnswer made_by(const std::function<HttpAnswer()>& work) {
+  try {
+    return work();
+  } catch (const std::exception&) {
+    HttpAnswer answer;
+    answer.status = 500;
+    answer.body = std::make_shared<const std::string>(
+        "{\"error\": \"the server could not do this: is there enough memory?\"}\n");
+    return answer;
+  }
+}
+
 void warn_of_key(const std::string& file) {
   struct stat about {};
   if (::stat(file.c_str(), &about) == 0 && (about.st_mode & 007) != 0)
@@ -85,6 +102,7 @@ struct WebServer::Impl final : web::Server {
       });
       thread.join();
     }
+    if (workers) workers->join();
     clients.clear();
   }
 
@@ -110,6 +128,8 @@ struct WebServer::Impl final : web::Server {
   }
   std::chrono::milliseconds wrong_token(const std::string& group) override;
   void count_slow() override { ++met.slow_connections; }
+  bool begin_work(const std::string& client, std::function<HttpAnswer()> work,
+                  std::function<void(const HttpAnswer&)> done) override;
   void serve(tcp::socket socket);
   void leave(ClientNumber number) override { clients.erase(number); }
 
@@ -132,6 +152,8 @@ struct WebServer::Impl final : web::Server {
   net::steady_timer retry{io};
   std::map<ClientNumber, std::shared_ptr<web::Client>> clients;
   ClientNumber counted = 0;
+  std::set<std::string> at_work;            // clients for which an answer is made
+  std::optional<net::thread_pool> workers;  // once there is work
   std::string place;
   std::thread thread;
 };
@@ -183,6 +205,24 @@ std::chrono::milliseconds WebServer::Impl::wrong_token(const std::string& group)
     log_line(LogLevel::kWarning, fmt::format("page: wrong token from {} ({} in all)",
                                              group, met.wrong_tokens));
   return wait;
+}
+
+bool WebServer::Impl::begin_work(const std::string& client,
+                                 std::function<HttpAnswer()> work,
+                                 std::function<void(const HttpAnswer&)> done) {
+  if (at_work.size() >= kMaxWork || !at_work.insert(client).second) return false;
+  if (!workers) workers.emplace(kMaxWork);
+  net::post(*workers,
+            [this, client, work = std::move(work), done = std::move(done)]() mutable {
+              HttpAnswer made = made_by(work);
+              // `done` holds the connection, which ends with the server's thread.
+              net::post(io, [this, client = std::move(client), done = std::move(done),
+                             made = std::move(made)] {
+                at_work.erase(client);
+                done(made);
+              });
+            });
+  return true;
 }
 
 void WebServer::Impl::serve(tcp::socket socket) {

@@ -40,6 +40,11 @@ struct HttpAnswer {
   std::string file = {};     ///< it is saved under this name; empty: shown
   /// The methods that there are of what was asked for, with status 405: "GET, HEAD".
   std::string allow = {};
+  int retry_after_s = 0;  ///< with status 503: when to ask again [s]
+  /// Makes the answer in place of this one, where that takes long: by a thread beside the
+  /// server's, so it owns what it needs. Each client has one under way at a time, all
+  /// have kMaxWork; others are answered with 503.
+  std::function<HttpAnswer()> work = {};
 };
 
 /// What a server has met with since it was opened.
@@ -97,14 +102,17 @@ struct WebOptions {
 /// Has a thread of its own once it is started. Messages of clients are limited in size
 /// and rate; who is too slow, too fast or too large is disconnected. Requests of pages
 /// that come from another server are refused, and those that call this machine by a name
-/// that is not its own. Connections are limited in all and of each address; wrong tokens
-/// are answered the later the more there have been of an address.
+/// that is not its own. Answers that take long are made by other threads
+/// (HttpAnswer::work), so that nobody else waits for them. Connections are limited in all
+/// and of each address; wrong tokens are answered the later the more there have been of
+/// an address.
 class WebServer {
  public:
   static constexpr std::size_t kMaxMessage = 65536;
   static constexpr double kMessagesPerSecond = 100;
   static constexpr std::size_t kMaxBody = 4 << 20;
   static constexpr std::size_t kMaxBodyBeforeLogin = 65536;
+  static constexpr std::size_t kMaxWork = 2;  ///< answers that take long, at a time
   /// What may wait for a client that does not read; more ends the connection.
   static constexpr std::size_t kMaxWaiting = 64 << 20;
 

@@ -99,6 +99,16 @@ HttpAnswer plain(unsigned status, const char* text) {
   return answer;
 }
 
+HttpAnswer busy() {
+  HttpAnswer answer;
+  answer.status = 503;
+  answer.body = std::make_shared<const std::string>(
+      "{\"error\": \"a file of yours is being read already, or too many of others: try "
+      "again in a moment.\"}\n");
+  answer.retry_after_s = 2;
+  return answer;
+}
+
 HttpAnswer no_such_method(const char* allow) {
   HttpAnswer answer = plain(405, "There is no such method of this.\n");
   answer.allow = allow;
@@ -361,7 +371,13 @@ class HttpSession final : public Connection,
     asked.query = target.substr(std::min(asked.path.size() + 1, target.size()));
     asked.body = request.body();
     asked.access = asker_.access.value_or(Access{});
-    send(request, server_.to().answer(asked));
+    HttpAnswer answered = server_.to().answer(asked);
+    if (!answered.work) return send(request, answered);
+    const bool begun = server_.begin_work(
+        seat_.group() + " " + asked.access.name, std::move(answered.work),
+        [self = this->shared_from_this(), request = without_body(request)](
+            const HttpAnswer& made) { self->send(request, made); });
+    if (!begun) send(request, busy());
   }
 
   // A wrong token is answered the later the more there have been; meanwhile the
@@ -425,6 +441,8 @@ class HttpSession final : public Connection,
       response_.set(http::field::content_disposition,
                     "attachment; filename=\"" + answer.file + "\"");
     if (!answer.allow.empty()) response_.set(http::field::allow, answer.allow);
+    if (answer.retry_after_s > 0)
+      response_.set(http::field::retry_after, std::to_string(answer.retry_after_s));
     if (answer.status == 401) response_.set(http::field::www_authenticate, "Bearer");
     if (answer.status == 426) response_.set(http::field::upgrade, "websocket");
     if (!cookie.empty()) response_.set(http::field::set_cookie, cookie);

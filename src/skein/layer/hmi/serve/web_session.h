@@ -5,7 +5,9 @@
 
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ssl/context.hpp>
+#include <functional>
 #include <memory>
+#include <string>
 
 #include "skein/layer/hmi/serve/connection_table.h"
 #include "skein/layer/hmi/serve/web_server.h"
@@ -42,6 +44,11 @@ class Server {
   /// A wrong token was given. @returns how long its answer waits.
   virtual std::chrono::milliseconds wrong_token(const std::string& group) = 0;
   virtual void count_slow() = 0;
+  /// Has another thread make an answer; `done` takes it by the server's thread.
+  /// @param client  one answer at a time is made for each.
+  /// @returns       false when one is under way, or too many of others.
+  virtual bool begin_work(const std::string& client, std::function<HttpAnswer()> work,
+                          std::function<void(const HttpAnswer&)> done) = 0;
   virtual const WebOptions& options() const = 0;
   virtual WebListener& to() = 0;
   virtual bool is_full() const = 0;

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "skein/link/autopilot_client/autopilot_client.h"
 #include "skein/link/vehicle_services/test/bad_line.h"
@@ -37,6 +38,9 @@ class Flight {
     };
     line.at_station = [this](const mavlink::Frame& heard) {
       client_.receive(heard, 1, line.now, line.station);
+      if (second_link_)
+        late_.emplace(line.now + Time::from_seconds(0.5),
+                      std::vector<std::byte>(heard.bytes.begin(), heard.bytes.end()));
     };
     reboot();
     client_.open(1);
@@ -63,6 +67,12 @@ class Flight {
     double_->open(1, double_clocks());
   }
   void remove_double() { double_.reset(); }
+
+  /// From now on it is heard by channel 2 too, half a second later.
+  void add_second_link() {
+    client_.open(2);
+    second_link_ = true;
+  }
 
   template <class Until>
   bool wait(double seconds, Until until) {
@@ -118,6 +128,7 @@ class Flight {
     server_->step(clocks(), line.vehicle);
     for (const VehicleRequest& request : server_->take_requests()) paper.obey(request);
     step_double();
+    step_second_link();
     client_.step(line.now, line.station);
     for (VehicleReport& report : client_.take_reports()) take(report);
   }
@@ -129,6 +140,15 @@ class Flight {
     elsewhere.motion.time = double_clocks().simulated;
     double_->update(elsewhere);
     double_->step(double_clocks(), doubles_);
+  }
+
+  void step_second_link() {
+    while (!late_.empty() && late_.begin()->first <= line.now) {
+      mavlink::FrameParser().read(late_.begin()->second, [this](const auto& heard) {
+        client_.receive(heard, 2, line.now, line.station);
+      });
+      late_.erase(late_.begin());
+    }
   }
 
   void take(const VehicleReport& report) {
@@ -157,6 +177,8 @@ class Flight {
           client_.receive(heard, double_channel_, line.now, line.station);
         });
       }};
+  bool second_link_ = false;
+  std::multimap<Time, std::vector<std::byte>> late_;  // on their way by it
   AutopilotClient client_;
   std::uint32_t asked_ = 0;
   std::optional<RequestAnswer> answer_;

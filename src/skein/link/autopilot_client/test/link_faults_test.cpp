@@ -107,6 +107,31 @@ TEST_F(LinkFaults, AnotherVehicleOfItsNumberBehindTheSameRadio) {
   EXPECT_TRUE(is_well());
 }
 
+TEST_F(LinkFaults, TwoBoardsThatAnswerInTurn) {
+  mavlink::AutopilotVersion version;
+  for (int k = 0; k < 6; ++k) {
+    version.uid = k % 2 == 0 ? 11 : 12;
+    f.line.vehicle.send(1, version);
+    f.wait(1, [] { return false; });
+  }
+  EXPECT_EQ(f.changes[Kind::kDuplicate], 1);
+  EXPECT_EQ(f.changes[Kind::kMismatch], 2) << "once for each that is not its own";
+  EXPECT_EQ(f.request(SpeedRequest{25}), Outcome::kDenied) << "both would obey";
+  f.wait(30, [] { return false; });
+  EXPECT_TRUE(is_well());
+}
+
+TEST_F(LinkFaults, OneVehicleThatIsHeardByTwoLinks) {
+  f.add_second_link();
+  f.wait(30, [] { return false; });
+  EXPECT_TRUE(is_well());
+  expect_changes(1, 0, 0, 0);
+  f.reboot();
+  f.wait(30, [] { return false; });
+  EXPECT_TRUE(is_well());
+  expect_changes(1, 0, 1, 0);
+}
+
 TEST_F(LinkFaults, NumbersThatAreNoneAreNoTelemetry) {
   mavlink::Attitude attitude;
   attitude.roll = std::numeric_limits<float>::quiet_NaN();

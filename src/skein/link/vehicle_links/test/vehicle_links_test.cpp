@@ -14,6 +14,7 @@
 #include "skein/link/vehicle_links/mailbox.h"
 #include "skein/link/vehicle_links/test/stand_ins.h"
 #include "skein/link/vehicle_links/traffic_feed.h"
+#include "skein/link/vehicle_links/vehicle_feed.h"
 
 namespace skein::vehicle_links::vehicle_links_test {
 namespace {
@@ -259,12 +260,19 @@ TEST(VehicleLinks, UnsignedOrdersAreDeniedWhereOnlyTelemetryIsAllowed) {
     vehicle.system = 7;
     vehicle.hovers = true;
     const std::size_t shown = links.show(vehicle);
+    LinkedVehicle real = linked(9, "real-1");
+    real.endpoint.address = transport::parse_endpoint("tcpin:127.0.0.1:0").value();
+    ASSERT_TRUE(links.add(real).ok());
+    ShownAircraft aircraft;
+    aircraft.name = "scout-1";
+    aircraft.server = shown;
+    VehicleFeed feed(links, {aircraft});
     const auto places = links.start();
     ASSERT_TRUE(places.ok());
     vehicle_services::VehicleSnapshot snapshot;
     snapshot.condition.on_ground = true;
     links.update(shown, snapshot);
-    PlainStation station(places.value().front());
+    PlainStation station(places.value().back());
     station.send(mavlink::Heartbeat{});
     mavlink::CommandLong arm;
     arm.target_system = 7;
@@ -275,6 +283,9 @@ TEST(VehicleLinks, UnsignedOrdersAreDeniedWhereOnlyTelemetryIsAllowed) {
     for (int k = 0; k < 100 && (station.acks.size() < 3 || station.heartbeats == 0);
          ++k) {
       station.send(arm);
+      mavlink::CommandLong to_real = arm;
+      to_real.target_system = 9;
+      station.send(to_real);
       station.run(50ms);
       requests += links.take_requests(shown).size();
     }
@@ -286,6 +297,13 @@ TEST(VehicleLinks, UnsignedOrdersAreDeniedWhereOnlyTelemetryIsAllowed) {
     EXPECT_EQ(requests > 0, !limited);
     for (int k = 0; k < 40 && limited && station.texts == 0; ++k) station.run(50ms);
     EXPECT_EQ(station.texts, limited ? 1 : 0);
+    // An event of the aircraft, simulated or real, once.
+    std::map<std::string, int> refused;
+    for (const CommandRecord& each : feed.commands())
+      if (const auto* order = std::get_if<RefusedCommand>(&each.command))
+        ++refused[order->aircraft];
+    const std::map<std::string, int> both = {{"scout-1", 1}, {"real-1", 1}};
+    EXPECT_EQ(refused, limited ? both : decltype(both)());
   }
 }
 

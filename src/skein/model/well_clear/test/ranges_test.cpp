@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which ranges of values count: within the limits, wider than rounding, and those that
 // regain well clear.
 #include <gtest/gtest.h>

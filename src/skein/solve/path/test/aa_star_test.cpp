@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "skein/base/math.h"
-#include "skein/solve/path/lower_bound.h"
 #include "skein/base/random.h"
 #include "skein/model/connection/connection.h"
+#include "skein/solve/path/lower_bound.h"
 #include "skein/solve/path/test/oracle.h"
 #include "skein/solve/path/test/scenes.h"
 

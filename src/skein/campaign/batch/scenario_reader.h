@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "skein/scenario/kind_table.h"
+#include "skein/scenario/override.h"
+#include "skein/scenario/plugins.h"
+#include "skein/scenario/scenario_file.h"
+
+namespace skein::campaign {
+
+/// Reads the scenarios of the runs of a campaign or a study, with the libraries that they
+/// name.
+class ScenarioReader {
+ public:
+  /// For scenarios whose libraries are loaded: `kinds` has all that they name.
+  ScenarioReader(const scenario::KindTable& kinds)  // NOLINT: such a table is a reader
+      : kinds_(kinds), load_(scenario::plugins_are_loaded()) {}
+  /// @param kinds    outlives this; `load` adds to it.
+  /// @param load     asks for consent, and loads a library that a scenario names.
+  /// @param plugins  libraries that are loaded, absolute: every run's scenario names them
+  ///                 too, so that it can be run again.
+  ScenarioReader(const scenario::KindTable& kinds, scenario::LoadPlugin load,
+                 std::vector<std::string> plugins)
+      : kinds_(kinds), load_(std::move(load)), plugins_(std::move(plugins)) {}
+
+  const scenario::KindTable& kinds() const { return kinds_; }
+
+  scenario::ReadOutcome read(const std::filesystem::path& file,
+                             std::span<const scenario::Override> overrides) const;
+
+ private:
+  const scenario::KindTable& kinds_;
+  scenario::LoadPlugin load_;
+  std::vector<std::string> plugins_;
+};
+
+}  // namespace skein::campaign
