@@ -98,7 +98,7 @@ const kCounts: Count[] = [
   {
     label: "Messages lost",
     unit: "%",
-    show: (run) => (run.summary.messages_sent > 0 ? (100 * run.summary.messages_lost) / run.summary.messages_sent : undefined),
+    show: (run) => (run.summary.message_copies > 0 ? (100 * run.summary.messages_lost) / run.summary.message_copies : undefined),
   },
 ];
 

@@ -213,7 +213,7 @@ function plots(runs: RunData[], onPick: (time: number) => void): Chart[] {
     make({ title: "Burnt area", unit: "ha", lines: areaLines(runs) }),
     ...missionCharts(runs).map(make),
     ...(runs.length === 1 ? flightCharts(runs[0]).map(make) : []),
-    make({ title: "Messages per minute", lines: messageLines(runs) }),
+    make({ title: "Messages per minute", note: "one to everyone counts once for each receiver", lines: messageLines(runs) }),
     make({ title: "Bytes sent", unit: "B/s", note: "of all together, in the wire form; what goes to everyone counts once", lines: byteLines(runs) }),
     make({ title: "Load of the air", note: "share of the time in which radios sent or heard others", range: [0, 1.02], lines: loadLines(runs) }),
   ].flat();

@@ -27,7 +27,8 @@ struct Taker {
   void operator()(const FireReading&) { statistics.reading(); }
   void operator()(const Crossing& r) { statistics.crossing(r); }
   void operator()(const MessageRecord& r) {
-    statistics.radio().message(r.cause, r.way.hops, r.forged);
+    statistics.radio().message(
+        {r.message.from, kind_of_message(r), r.copy, r.cause, r.way.hops, r.forged});
     statistics.separation().message(r.message);
   }
   void operator()(const PerimeterRecord& r) {
@@ -100,12 +101,13 @@ void RunStatistics::take(const Record& record) {
 
 void RunStatistics::entity(const EntityRecord& entity) {
   flights_[entity.id].name = entity.name;
-  if (entity.kind == "aircraft") ++aircraft_;
+  if (entity.kind == "aircraft") aircraft_.insert(entity.id);
   memory_.entity(entity.reality);
 }
 
 void RunStatistics::truth(Time time, EntityId id, const VehicleState& state) {
   const Vec3& p_N = state.p_N;
+  last_flown_ = std::max(last_flown_, time);
   flight_statistics_.truth(time, id, state);
   Flight& flight = flights_[id];
   if (flight.last) flight.distance += (p_N - *flight.last).norm();
@@ -199,12 +201,17 @@ std::map<std::string, double> RunStatistics::figures() const {
   missions_.add_figures(out);
   forecasts_.add_figures(out);
   memory_.add_figures(out);
-  separation_.add_figures(out, aircraft_);
-  team_.add_figures(out);
+  separation_.add_figures(out, aircraft_.size());
+  team_.add_figures(out, last_flown_);
   traffic_.add_figures(out);
   alerts_.add_figures(out);
   radio_.add_figures(out);
-  out["aircraft"] = static_cast<double>(aircraft_);
+  double said = 0;
+  for (const EntityId id : aircraft_) said += static_cast<double>(radio_.sent_by(id));
+  const auto aircraft = static_cast<double>(aircraft_.size());
+  if (said > 0 && last_flown_ > Time())
+    out["messages_per_aircraft_s"] = said / (aircraft * last_flown_.seconds());
+  out["aircraft"] = aircraft;
   out["observations"] = static_cast<double>(observations_);
   out["crossings"] = static_cast<double>(crossings_);
   return out;

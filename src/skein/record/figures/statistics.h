@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,7 @@ class RunStatistics {
   /// See FlightStatistics.
   void estimate(Time time, EntityId id, const Vec3& p_N,
                 std::optional<double> cross_track) {
+    last_flown_ = std::max(last_flown_, time);
     flight_statistics_.estimate(time, id, p_N, cross_track);
   }
   void reserve(EntityId id, double reserve) { flight_statistics_.reserve(id, reserve); }
@@ -102,7 +105,9 @@ class RunStatistics {
   bool judged_ = false;  // whether the belief agrees with its crossings is known
   std::optional<Time> over_confident_since_;
   Time over_confident_, last_metrics_;
-  std::uint64_t aircraft_ = 0, observations_ = 0, crossings_ = 0;
+  std::set<EntityId> aircraft_;
+  Time last_flown_;  // of a true state, or an estimate
+  std::uint64_t observations_ = 0, crossings_ = 0;
 };
 
 }  // namespace skein::record

@@ -41,7 +41,8 @@ void TeamStatistics::event(const Event& event) {
             number_in(std::string_view(event.text).substr(kTeamTask.size())))
       done_.insert(*task);
     end(event.entity, event.time);
-  } else if (event.kind == "team-task-over" || event.kind == "left") {
+  } else if (event.kind == "team-task-over" || event.kind == "left" ||
+             event.kind == "accident") {
     end(event.entity, event.time);
   } else if (event.kind == "team-task") {
     end(event.entity, event.time);
@@ -59,17 +60,27 @@ void TeamStatistics::begin(std::uint32_t task, EntityId who, Time now) {
 void TeamStatistics::end(EntityId who, Time now) {
   for (auto& [task, flown] : flown_) {
     if (flown.by.erase(who) == 0 || flown.by.size() >= 2 || !flown.doubled) continue;
-    doubled_max_ = std::max(doubled_max_, (now - *flown.doubled).seconds());
+    const double doubled = (now - *flown.doubled).seconds();
+    doubled_max_ = std::max(doubled_max_, doubled);
+    doubled_total_ += doubled;
     flown.doubled.reset();
   }
 }
 
-void TeamStatistics::add_figures(std::map<std::string, double>& figures) const {
+void TeamStatistics::add_figures(std::map<std::string, double>& figures, Time now) const {
   if (!known_) return;
+  double longest = doubled_max_, total = doubled_total_;
+  for (const auto& [task, flown] : flown_) {
+    if (!flown.doubled) continue;
+    const double doubled = (now - *flown.doubled).seconds();
+    longest = std::max(longest, doubled);
+    total += std::max(0.0, doubled);
+  }
   figures["team_masters"] = static_cast<double>(masters_.size());
   figures["team_changes"] = changes_;
   figures["team_tasks_done"] = static_cast<double>(done_.size());
-  figures["team_double_max_s"] = doubled_max_;
+  figures["team_double_max_s"] = longest;
+  figures["team_double_total_s"] = total;
   const auto count = [&](AllocationState state) {
     const auto found = allocations_.find(state);
     return found == allocations_.end() ? 0 : found->second;

@@ -17,17 +17,18 @@ class TeamStatistics {
  public:
   void lead(const TeamLeadRecord& record);
   void allocation(const TeamAllocationReport& report);
-  /// "team-task", "team-task-over" and "left" say who flies which task, "task-done" what
-  /// is done.
+  /// "team-task", "team-task-over", "left" and "accident" say who flies which task,
+  /// "task-done" what is done.
   void event(const Event& event);
 
   /// Adds `team_masters` (that anybody followed, stations included), `team_changes` (of
   /// the master, as members saw them), `team_tasks_done`, and of tasks for one aircraft
   /// `team_double_max_s`: the longest time for which two flew the same one, from when the
-  /// second began. Where allocations wait for approval also `team_allocations_proposed`,
-  /// `team_allocations_approved`, `team_allocations_rejected` and
-  /// `team_allocations_taken_over`.
-  void add_figures(std::map<std::string, double>& figures) const;
+  /// second began, and `team_double_total_s`: all such times together. Where allocations
+  /// wait for approval also `team_allocations_proposed`, `team_allocations_approved`,
+  /// `team_allocations_rejected` and `team_allocations_taken_over`.
+  /// @param now  of the run: what two fly then counts until then.
+  void add_figures(std::map<std::string, double>& figures, Time now) const;
 
  private:
   void begin(std::uint32_t task, EntityId who, Time now);
@@ -40,7 +41,7 @@ class TeamStatistics {
   bool known_ = false;
   std::set<EntityId> masters_;
   std::map<EntityId, std::optional<EntityId>> master_of_;
-  double changes_ = 0, doubled_max_ = 0;
+  double changes_ = 0, doubled_max_ = 0, doubled_total_ = 0;
   std::map<AllocationState, double> allocations_;
   std::set<std::uint32_t> done_;
   std::map<std::uint32_t, Flown> flown_;

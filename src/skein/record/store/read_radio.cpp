@@ -33,14 +33,15 @@ Result<void> read_messages(Sqlite& database, RadioStatistics& statistics,
   auto done = for_each_row_of(
       database, "messages",
       "sent_s, cause, hops, forged, copy, size_bytes, CASE content_kind WHEN 'team' THEN "
-      "said ELSE content_kind END",
+      "said ELSE content_kind END, from_id",
       "", [&](const Statement& row) {
         const double bin = std::max(0.0, row.seconds(1) / run.message_bin);
         const std::size_t k = std::min(static_cast<std::size_t>(bin), bins - 1);
         const bool forged = row.integer(4) != 0;
         if (!forged) ++run.messages_sent[k];
-        if (!forged && row.integer(5) == 0) {
-          const std::string kind = row.text(7);
+        const bool copy = row.integer(5) != 0;
+        const std::string kind = row.text(7);
+        if (!forged && !copy) {
           if (!run.messages_bytes.contains(kind) &&
               run.messages_bytes.size() >= kMaxKinds) {
             row.refuse(7, "a kind of message");
@@ -57,7 +58,7 @@ Result<void> read_messages(Sqlite& database, RadioStatistics& statistics,
         const bool lost = *cause != LossCause::kNone && *cause != LossCause::kPending;
         if (lost && !forged) ++run.messages_lost[k];
         const auto hops = static_cast<std::uint32_t>(row.whole(3, 0, kMaxHops));
-        statistics.message(*cause, hops, forged);
+        statistics.message({entity_id(row, 8), kind, copy, *cause, hops, forged});
       });
   return done;
 }

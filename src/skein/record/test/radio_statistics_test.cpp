@@ -19,18 +19,44 @@ RadioUseRecord use_of(double time, std::uint32_t id, double sending, double busy
   return record;
 }
 
+ReceivedMessage received(LossCause cause, std::uint32_t hops = 0) {
+  return {EntityId{1}, "report", false, cause, hops, false};
+}
+
 TEST(RadioStatistics, CountsMessagesByWhatBecameOfThem) {
   RadioStatistics statistics;
-  for (int k = 0; k < 5; ++k) statistics.message(LossCause::kNone, k == 0 ? 2 : 0, false);
-  statistics.message(LossCause::kQueueFull, 0, false);
-  for (int k = 0; k < 2; ++k) statistics.message(LossCause::kPending, 0, false);
+  for (int k = 0; k < 5; ++k)
+    statistics.message(received(LossCause::kNone, k == 0 ? 2 : 0));
+  statistics.message(received(LossCause::kQueueFull));
+  for (int k = 0; k < 2; ++k) statistics.message(received(LossCause::kPending));
   const auto figures = figures_of(statistics);
   EXPECT_EQ(figures.at("messages_sent"), 8);
+  EXPECT_EQ(figures.at("message_copies"), 8);
   EXPECT_EQ(figures.at("messages_lost"), 1);
   EXPECT_EQ(figures.at("messages_lost_queue_full"), 1);
   EXPECT_EQ(figures.at("messages_pending"), 2);
   EXPECT_EQ(figures.at("messages_relayed"), 1);
   EXPECT_FALSE(figures.contains("messages_lost_pending"));
+}
+
+TEST(RadioStatistics, AMessageToAllIsSentOnceAndMayBeLostByEachReceiver) {
+  RadioStatistics statistics;
+  const EntityId one{1}, two{2};
+  for (int receiver = 0; receiver < 4; ++receiver)
+    statistics.message({one, "place_report", receiver > 0,
+                        receiver == 2 ? LossCause::kChance : LossCause::kNone});
+  statistics.message({one, "queue-full", false});
+  statistics.message({two, "place_report", false, LossCause::kChance});
+  statistics.message({two, "place_report", false, LossCause::kNone, 0, true});
+  const auto figures = figures_of(statistics);
+  EXPECT_EQ(figures.at("messages_sent"), 3);
+  EXPECT_EQ(figures.at("messages_sent_place_report"), 2);
+  EXPECT_EQ(figures.at("messages_sent_queue_full"), 1);
+  EXPECT_EQ(figures.at("message_copies"), 6);
+  EXPECT_EQ(figures.at("messages_lost"), 2);
+  EXPECT_EQ(statistics.sent_by(one), 2);
+  EXPECT_EQ(statistics.sent_by(two), 1) << "what others sent in its name is not its own";
+  EXPECT_EQ(statistics.sent_by(EntityId{3}), 0);
 }
 
 TEST(RadioStatistics, LoadsCountByTheTimeThatTheyCover) {

@@ -172,6 +172,7 @@ TEST(RunRecorder, WritesASummaryThatScriptsCanRead) {
                            "deadline_misses", "aircraft",
                            "observations",    "crossings",
                            "messages_sent",   "messages_lost",
+                           "message_copies",  "messages_per_aircraft_s",
                            "perf_mean_m",     "boundary_rms_mean_m",
                            "sigma_mean_m",    "boundary_hausdorff_mean_m",
                            "iou_mean",        "coverage_95_mean",

@@ -13,7 +13,7 @@ TEST(TeamStatistics, CountsAllocationsOnlyWhereTheyWait) {
   report.state = AllocationState::kUnasked;
   team.allocation(report);
   std::map<std::string, double> figures;
-  team.add_figures(figures);
+  team.add_figures(figures, Time());
   EXPECT_EQ(figures.count("team_allocations_proposed"), 0u);
   for (const AllocationState state :
        {AllocationState::kWaits, AllocationState::kRejected, AllocationState::kWaits,
@@ -21,11 +21,35 @@ TEST(TeamStatistics, CountsAllocationsOnlyWhereTheyWait) {
     report.state = state;
     team.allocation(report);
   }
-  team.add_figures(figures);
+  team.add_figures(figures, Time());
   EXPECT_EQ(figures.at("team_allocations_proposed"), 2);
   EXPECT_EQ(figures.at("team_allocations_approved"), 1);
   EXPECT_EQ(figures.at("team_allocations_rejected"), 1);
   EXPECT_EQ(figures.at("team_allocations_taken_over"), 1);
+}
+
+// Tasks that two fly at once, until the end of the run too.
+TEST(TeamStatistics, CountsHowLongTwoFlyOneTask) {
+  TeamStatistics team;
+  team.lead({Time(), EntityId{1}, {"M", EntityId{1}, {{1}}, TeamReason::kSelected}});
+  const auto says = [&](double time, std::uint32_t who, const char* kind,
+                        const char* text) {
+    team.event({Time::from_seconds(time), EntityId{who}, kind, text});
+  };
+  says(1, 1, "team-task", "3: measure");
+  says(10, 2, "team-task", "3: measure");
+  says(14, 1, "left", "lost");
+  says(20, 3, "team-task", "group 4: watch");
+  says(20, 4, "team-task", "group 4: watch");
+  says(30, 5, "team-task", "3: measure");
+  std::map<std::string, double> figures;
+  team.add_figures(figures, Time::from_seconds(37));
+  EXPECT_EQ(figures.at("team_double_max_s"), 7);
+  EXPECT_EQ(figures.at("team_double_total_s"), 11);
+  says(40, 2, "accident", "");
+  team.add_figures(figures, Time::from_seconds(50));
+  EXPECT_EQ(figures.at("team_double_max_s"), 10);
+  EXPECT_EQ(figures.at("team_double_total_s"), 14);
 }
 
 }  // namespace

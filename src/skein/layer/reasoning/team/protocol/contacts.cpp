@@ -135,13 +135,13 @@ void TeamContacts::note_heard(EntityId id, double now) {
 }
 
 TeamVerdict TeamContacts::take(EntityId from, bool to_all, const TeamMessage& message,
-                               double now, double lost) {
+                               double now, const TeamSilence& silence) {
   restarted_ = false;
   if (from == self_) return TeamVerdict::kOwnId;
   if (!known_.empty() && !known_.contains(from)) return TeamVerdict::kUnknown;
   if (message.version != TeamMessage::kVersion) return TeamVerdict::kOtherVersion;
   if (is_implausible(message.content)) return TeamVerdict::kImplausible;
-  const TeamVerdict verdict = judge(peers_[from], message, to_all, now, lost);
+  const TeamVerdict verdict = judge(peers_[from], message, to_all, now, silence);
   if (verdict != TeamVerdict::kNew && verdict != TeamVerdict::kLate) return verdict;
   Contact& contact = contacts_[from];
   contact.heard = now;
@@ -168,7 +168,7 @@ TeamVerdict TeamContacts::take(EntityId from, bool to_all, const TeamMessage& me
 }
 
 TeamVerdict TeamContacts::judge(Peer& peer, const TeamMessage& message, bool to_all,
-                                double now, double lost) {
+                                double now, const TeamSilence& silence) {
   Sequence& sequence = to_all ? peer.to_all : peer.to_self;
   if (!sequence.begun) {
     sequence.begun = true;
@@ -180,18 +180,18 @@ TeamVerdict TeamContacts::judge(Peer& peer, const TeamMessage& message, bool to_
     sequence.last = now;
     return TeamVerdict::kNew;
   }
-  return message.number > sequence.highest ? newer(peer, message, to_all, now, lost)
-                                           : older(peer, message, to_all, now, lost);
+  return message.number > sequence.highest ? newer(peer, message, to_all, now, silence)
+                                           : older(peer, message, to_all, now, silence);
 }
 
 TeamVerdict TeamContacts::newer(Peer& peer, const TeamMessage& message, bool to_all,
-                                double now, double lost) {
+                                double now, const TeamSilence& silence) {
   Sequence& sequence = to_all ? peer.to_all : peer.to_self;
   const std::uint32_t step = message.number - sequence.highest;
   const double silent = now - sequence.last;
   // Numbers that nobody could have used up meanwhile are made up.
   if (step > kWindow + kMaxRate * std::max(0.0, silent)) return TeamVerdict::kImplausible;
-  if (to_all) loss_.arrived(silent > lost ? 0 : step - 1);
+  if (to_all) loss_.arrived(silent > silence.absent ? 0 : step - 1);
   sequence.seen = step < kWindow ? (sequence.seen << step) | 1 : 1;
   sequence.highest = message.number;
   sequence.content[message.number % kWindow] = fingerprint(message);
@@ -201,7 +201,7 @@ TeamVerdict TeamContacts::newer(Peer& peer, const TeamMessage& message, bool to_
 }
 
 TeamVerdict TeamContacts::older(Peer& peer, const TeamMessage& message, bool to_all,
-                                double now, double lost) {
+                                double now, const TeamSilence& silence) {
   Sequence& sequence = to_all ? peer.to_all : peer.to_self;
   const std::uint32_t back = sequence.highest - message.number;
   const std::uint64_t bit = back < kWindow ? std::uint64_t{1} << back : 0;
@@ -214,11 +214,11 @@ TeamVerdict TeamContacts::older(Peer& peer, const TeamMessage& message, bool to_
   const bool was_used = is_seen || bit == 0;
   const double last =
       was_used ? sequence.last : std::max(peer.to_all.last, peer.to_self.last);
-  if (now - last > lost) {
+  if (now - last > silence.lost) {
     sequence = {};
     if (to_all) peer.to_self = {};
     restarted_ = true;
-    return judge(peer, message, to_all, now, lost);
+    return judge(peer, message, to_all, now, silence);
   }
   if (was_used) return TeamVerdict::kDuplicateId;
   sequence.seen |= bit;

@@ -37,6 +37,12 @@ inline constexpr std::uint32_t kMaxProposalNumber = 1000000;
 /// of all bounds, lists of more than 1000, names of missions that are empty or long.
 bool is_implausible(const TeamContent& content);
 
+/// How long somebody may be silent [s].
+struct TeamSilence {
+  double lost = 4;    ///< longer: it may begin to count its messages anew
+  double absent = 4;  ///< longer: it was out of reach, and the gap is no loss of messages
+};
+
 /// Whom a member hears, and the last that each said of itself.
 class TeamContacts {
  public:
@@ -54,11 +60,10 @@ class TeamContacts {
   TeamContacts(EntityId self, std::set<EntityId> known)
       : self_(self), known_(std::move(known)) {}
 
-  /// Judges a message, and remembers its sender and what it says of itself. Messages of a
-  /// sender that was silent for longer than `lost` may begin to count anew.
+  /// Judges a message, and remembers its sender and what it says of itself.
   /// @param to_all  whether it was sent to all.
   TeamVerdict take(EntityId from, bool to_all, const TeamMessage& message, double now,
-                   double lost);
+                   const TeamSilence& silence);
 
   const std::map<EntityId, Contact>& all() const { return contacts_; }
   const Contact* find(EntityId id) const;
@@ -82,11 +87,11 @@ class TeamContacts {
     Sequence to_all, to_self;
   };
   TeamVerdict judge(Peer& peer, const TeamMessage& message, bool to_all, double now,
-                    double lost);
+                    const TeamSilence& silence);
   TeamVerdict newer(Peer& peer, const TeamMessage& message, bool to_all, double now,
-                    double lost);
+                    const TeamSilence& silence);
   TeamVerdict older(Peer& peer, const TeamMessage& message, bool to_all, double now,
-                    double lost);
+                    const TeamSilence& silence);
   static bool is_out_of_date(Sequence& sequence, const TeamMessage& message);
 
   EntityId self_;

@@ -15,6 +15,8 @@ constexpr double kMaxDelay = 8;     // [s] that is taken for normal while none i
 // the jitter of their messages.
 constexpr double kAfterMaster = 1.5;  // query periods
 constexpr int kInformEvery = 5;       // query periods, in full without one
+constexpr double kMuchLost = 0.15;    // of messages: then nothing is left out
+constexpr double kSameLoss = 0.05;    // by which members may measure it otherwise
 
 // But for where it is, how long it can fly and how far it is with its tasks.
 bool is_same_but_for_flight(const TeamInform& a, const TeamInform& b) {
@@ -85,6 +87,7 @@ TeamStep TeamMember::step(Time now, std::span<const TeamReceived> received) {
     next_inform_ = now_ + times().query_period * random_.uniform();
   }
   for (const TeamReceived& one : received) receive(one);
+  refuse_yielded();
   withdraw_handed_in();
   lost_ = time_until_lost(known_times(), contacts_.loss());
   if (config_.structure == TeamStructure::kFixedMaster && config_.fixed_master == self_ &&
@@ -211,17 +214,42 @@ TeamInform TeamMember::own_inform() const {
 }
 
 // In full when something has changed that others act upon, some times over as messages
-// are lost, and now and then.
+// are lost, and now and then; nothing while all of it has been said.
 void TeamMember::send_inform() {
   TeamInform inform = own_inform();
   if (!is_same_but_for_flight(inform, informed_)) informs_ = kInformRepeats;
-  if (role_ == Role::kFollowing && informs_ <= 0 && ++since_inform_ < kInformEvery)
-    return send_all(TeamHere{inform.master, inform.query, inform.held,
-                             inform.members_hash, inform.state_number});
+  const bool follows = role_ == Role::kFollowing && informs_ <= 0;
+  if (inform.master != here_.master || inform.members_hash != here_.members_hash)
+    regrouped_ = now_;
+  if (follows) ++since_inform_;
+  if (follows && has_said_all(inform)) return;
+  here_ = {inform.master, inform.query, inform.held, inform.members_hash,
+           inform.state_number};
+  said_here_ = now_;
+  if (follows && since_inform_ < kInformEvery) return send_all(here_);
   informs_ = std::max(0, informs_ - 1);
   since_inform_ = 0;
   informed_ = inform;
   send_all(std::move(inform));
+}
+
+// In a large team that has not changed of late, while it receives its master: what it
+// would say was sent not long ago.
+bool TeamMember::has_said_all(const TeamInform& inform) const {
+  const double query_period = times().query_period;
+  const double period = follower_period(times(), status_.members.size());
+  return period > query_period && contacts_.loss() <= kMuchLost &&
+         now_ - evidence_ <= kSilent * query_period &&
+         now_ - regrouped_ > exchange_time() &&
+         inform.state_number == here_.state_number &&
+         now_ - said_here_ < period - query_period / 2;
+}
+
+// The longer from word to word, the longer it is asked by its orders before.
+double TeamMember::follower_lost_after() const {
+  if (contacts_.loss() > kMuchLost + kSameLoss) return lost_;
+  const double period = follower_period(times(), status_.members.size());
+  return lost_ + 3 * (period - times().query_period);
 }
 
 // To a master that has just begun to lead here, and knows less.

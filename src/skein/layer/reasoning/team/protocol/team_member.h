@@ -58,7 +58,8 @@ struct TeamStep {
 ///
 /// Events: "selected", "following", "master-lost", "follower-lost", "joined", "merged",
 /// "split", "took-back", "gave-back", "handover", "rejected", "order-unanswered",
-/// "order-expired", "proposed", of a station "allocation-proposed" and "allocation-over";
+/// "order-expired", "order-superseded", "task-twice", "task-yielded",
+/// "proposed", of a station "allocation-proposed" and "allocation-over";
 /// of hostile or broken input "own-id", "duplicate-id",
 /// "other-version", "unknown-sender", "implausible", "order-refused", "answer-refused":
 /// such messages change nothing.
@@ -84,7 +85,10 @@ class TeamMember {
   /// Who flies which task, as others have said last; of several who has said so last.
   std::map<std::uint32_t, EntityId> executors() const;
 
-  void set_resources(const TeamResources& resources) { resources_ = resources; }
+  void set_resources(const TeamResources& resources) {
+    resources_ = resources;
+    refused_by_task_ = resources.refused;
+  }
   /// How far it is with a task that it executes; 1: done.
   void set_progress(std::uint32_t task, double share) { progress_[task] = share; }
   /// It shall not lead any more: energy, the operator. A master hands over.
@@ -107,6 +111,9 @@ class TeamMember {
   const TeamKnowledge& knowledge() const { return knowledge_; }
   /// T_lost [s], by the loss measured.
   double lost_after() const { return lost_; }
+  /// After how long of silence a follower is lost [s]: T_lost, and longer where many say
+  /// rarely that they are there (follower_period()).
+  double follower_lost_after() const;
   /// The longest round trip measured [s].
   double round_trip() const { return round_trip_; }
   /// Of a master: whether all its orders were acknowledged.
@@ -167,6 +174,7 @@ class TeamMember {
   };
 
   static constexpr int kInformRepeats = 3;  // in full, after a change
+  static constexpr double kSilent = 2;      // query periods without a word of the master
 
   // team_member.cpp
   void report(const char* kind, std::string text);
@@ -185,6 +193,7 @@ class TeamMember {
   void set_status(TeamReason reason);
   TeamInform own_inform() const;
   void send_inform();
+  bool has_said_all(const TeamInform& inform) const;
   void send_news();
   double interval() {
     return times().query_period * (1 + times().jitter * (2 * random_.uniform() - 1));
@@ -236,6 +245,10 @@ class TeamMember {
   void on(EntityId from, const TeamBids& bids);
   void on(EntityId from, const TeamProposal& proposal);
   void on(EntityId from, const TeamDecision& decision);
+  void compare_executing(EntityId from, const TeamInform& inform);
+  bool flies(std::uint32_t task) const;
+  void refuse_yielded();
+  void take(EntityId from, const TeamInform& inform);
   void state_as_follower(EntityId from, const TeamState& state);
   bool may_add_tasks(EntityId from, const TeamState& state) const;
   void query_as_follower(EntityId from, const TeamQuery& query);
@@ -312,7 +325,8 @@ class TeamMember {
   TeamKnowledge knowledge_;
   TeamOrders orders_;
   Auction auction_;
-  TeamResources resources_;
+  TeamResources resources_;                     // and what it leaves to other teams
+  std::vector<std::uint32_t> refused_by_task_;  // as given
   std::map<std::uint32_t, double> progress_;
   std::map<std::uint32_t, TeamTask> handed_in_;
   std::set<std::uint32_t> withdrawn_;  // of those, before the team was known to have them
@@ -326,9 +340,12 @@ class TeamMember {
   std::uint32_t sent_to_all_ = 0;
   std::map<EntityId, std::uint32_t> sent_to_;
   double next_query_ = 0, next_inform_ = 0;
-  TeamInform informed_;  // the last that it sent
+  TeamInform informed_;        // the last that it sent
+  TeamHere here_;              // as it stood in that, or in the last `here`
+  double said_here_ = -1e300;  // when
+  double regrouped_ = -1e300;  // when its team changed, or met another one
   int informs_ = 0,
-      since_inform_ = 0;  // that are left to be sent in full; since the last
+      since_inform_ = 0;  // that are left to be sent in full; periods since the last
   std::vector<Repeated> repeated_;
   std::map<std::pair<EntityId, TeamVerdict>, double> refused_;  // when last reported
 
@@ -336,6 +353,8 @@ class TeamMember {
   std::optional<TeamMission> mission_;
   TeamStatus status_;
   std::vector<std::uint32_t> executing_;
+  std::set<std::pair<std::uint32_t, EntityId>> twice_;  // and who executes it too
+  std::map<std::uint32_t, EntityId> yielded_;           // tasks, and to whom
 
   // As a follower, or without a master that there was.
   std::optional<EntityId> master_;

@@ -159,7 +159,7 @@ void TeamMember::send_proposal() {
   }
   for (const EntityId id : config_.operators) {
     const auto* station = contacts_.find(id);
-    if (id != self_ && station && now_ - station->heard <= lost_)
+    if (id != self_ && station && now_ - station->heard <= follower_lost_after())
       send_one(id, said(*proposal_, AllocationState::kWaits));
   }
 }

@@ -65,11 +65,13 @@ void TeamMember::lead(TeamReason reason, std::optional<EntityId> predecessor) {
     if (knowledge_.tasks.try_emplace(number, task).second)
       knowledge_.tasks.at(number).branch = mission_->branch;
   report("selected", fmt::format("{} leads ({}).", self_.value, name_of(reason)));
+  // Who has lost its master says more often that it is there.
+  const double holds = reason == TeamReason::kSelected ? lost_ : follower_lost_after();
   for (const auto& [id, contact] : contacts_.all()) {
     const auto& master = contact.inform.master;
     const bool free = !master || master == predecessor || master == self_;
     if (is_of_lineage(contact.inform.mission) && free && !contact.leads &&
-        now_ - contact.informed <= lost_)
+        now_ - contact.informed <= holds)
       add_follower(id, false, "heard");
   }
   if (reason == TeamReason::kHandover && predecessor)
@@ -142,14 +144,17 @@ void TeamMember::measure_round_trip(EntityId from, const TeamInform& inform) {
 
 void TeamMember::drop_silent() {
   std::vector<EntityId> silent;
+  const double holds = follower_lost_after();
   for (const auto& [id, follower] : followers_) {
-    const double patience = follower.certain ? lost_ : exchange_time();
+    const double patience = follower.certain ? holds : exchange_time();
     if (now_ - follower.claimed > patience) silent.push_back(id);
   }
   for (const EntityId id : silent) drop_follower(id, "is silent");
   // Its answers are a second way to hear of it.
+  const double period = follower_period(times(), status_.members.size());
+  const double overdue = std::max(lost_ / 2, period + times().query_period);
   for (const auto& [id, follower] : followers_)
-    if (now_ - follower.claimed > lost_ / 2) orders_.remind(id);
+    if (now_ - follower.claimed > overdue) orders_.remind(id);
 }
 
 bool TeamMember::hears_sibling() const {
@@ -258,7 +263,9 @@ void TeamMember::give_orders() {
   for (const EntityId id : outcome.unanswered)
     report("order-unanswered",
            fmt::format("{} has not acknowledged its order.", id.value));
-  set_executing(orders_.own());
+  std::vector<std::uint32_t> own = orders_.own();
+  std::erase_if(own, [this](std::uint32_t task) { return yielded_.contains(task); });
+  set_executing(std::move(own));
 }
 
 void TeamMember::hand_over() {

@@ -101,7 +101,7 @@ void TeamMember::on(EntityId from, const TeamMerge& merge) {
   for (const EntityId id : all) {
     const auto* contact = contacts_.find(id);
     if (id == self_ || followers_.contains(id) || !contact ||
-        now_ - contact->heard > lost_)
+        now_ - contact->heard > follower_lost_after())
       continue;
     add_follower(id, false, "merged");
     is_new = true;
@@ -122,10 +122,13 @@ void TeamMember::answer_split(EntityId other, const TeamMerge& merge) {
   std::vector<TeamWorker> second;
   for (const EntityId id : merge.members) {
     const auto* contact = contacts_.find(id);
-    if (!contact || now_ - contact->informed > lost_) continue;
-    std::vector<std::uint32_t> tasks;
-    for (const TeamProgress& task : contact->inform.tasks) tasks.push_back(task.task);
-    second.push_back({id, contact->inform.resources, tasks});
+    if (id == other) continue;
+    TeamWorker& worker = second.emplace_back();
+    worker.id = id;
+    if (!contact || now_ - contact->informed > follower_lost_after()) continue;
+    worker.resources = contact->inform.resources;
+    for (const TeamProgress& task : contact->inform.tasks)
+      worker.tasks.push_back(task.task);
   }
   // The other one itself informs nobody while it leads.
   second.push_back({other, {}, {}});

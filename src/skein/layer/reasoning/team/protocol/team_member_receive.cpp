@@ -6,10 +6,24 @@
 #include "skein/layer/reasoning/team/protocol/team_member.h"
 
 namespace skein::reasoning {
+namespace {
+
+// Whether it says that it executes a task, and is not done with it.
+bool executes(const TeamInform& inform, std::uint32_t task) {
+  return std::ranges::any_of(inform.tasks, [task](const TeamProgress& progress) {
+    return progress.task == task && progress.share < 1;
+  });
+}
+
+}  // namespace
 
 void TeamMember::receive(const TeamReceived& received) {
-  const TeamVerdict verdict =
-      contacts_.take(received.from, received.to_all, received.message, now_, lost_);
+  // Of a team that is not known yet all senders count.
+  const double period = follower_period(times(), contacts_.all().size() + 1);
+  const double silence = lost_ + period - times().query_period;
+  const double absence = lost_ * period / times().query_period;
+  const TeamVerdict verdict = contacts_.take(received.from, received.to_all,
+                                             received.message, now_, {silence, absence});
   if (verdict == TeamVerdict::kRepeated || verdict == TeamVerdict::kLate) return;
   if (verdict != TeamVerdict::kNew) return refuse(received, verdict);
   if (contacts_.restarted()) orders_from_.erase(received.from);
@@ -65,6 +79,7 @@ void TeamMember::query_as_follower(EntityId from, const TeamQuery& query) {
     return;
   }
   if (!is_of_lineage(query.mission)) return;
+  regrouped_ = now_;  // two teams have met: both masters have to know of all members
   if (announced_ == from) return follow(from, TeamReason::kHandover);
   // Others have lost the master a little earlier. Who has led for long took over in
   // another part of the team.
@@ -75,6 +90,64 @@ void TeamMember::query_as_follower(EntityId from, const TeamQuery& query) {
 }
 
 void TeamMember::on(EntityId from, const TeamInform& inform) {
+  compare_executing(from, inform);
+  take(from, inform);
+}
+
+// Two execute one task. Where the master of both receives only one of them, it has given
+// that one the task of the other, whom it has lost. Of two masters that do not receive
+// each other the lower one's member flies on; who leads says nothing of its own task, so
+// it is the one who drops it.
+void TeamMember::compare_executing(EntityId from, const TeamInform& inform) {
+  std::erase_if(twice_, [&](const auto& each) {
+    return each.second == from && !(executes(inform, each.first) && flies(each.first));
+  });
+  const auto& own = status_.master;
+  if (!is_of_lineage(inform.mission) || !inform.master || !own) return;
+  const auto* master = contacts_.find(*own);
+  const bool superseded = role_ == Role::kFollowing && inform.master == own &&
+                          from != *own && master &&
+                          now_ - direct_ > kSilent * times().query_period &&
+                          inform.query > master->query_number;
+  const bool yields =
+      role_ == Role::kLeading ? inform.master != own : inform.master < own;
+  std::vector<std::uint32_t> left;
+  for (const std::uint32_t task : executing_) {
+    const auto known = knowledge_.tasks.find(task);
+    const bool single = known != knowledge_.tasks.end() && known->second.single;
+    if (!single || !executes(inform, task)) {
+      left.push_back(task);
+      continue;
+    }
+    if (twice_.insert({task, from}).second)
+      report("task-twice", fmt::format("{} executes task {} too.", from.value, task));
+    if (yields) yielded_[task] = from;
+    if (!superseded && !yields) left.push_back(task);
+  }
+  if (left.size() == executing_.size()) return;
+  report(superseded ? "order-superseded" : "task-yielded",
+         fmt::format("what {} executes too is dropped.", from.value));
+  set_executing(std::move(left));
+}
+
+bool TeamMember::flies(std::uint32_t task) const {
+  return std::ranges::find(executing_, task) != executing_.end();
+}
+
+// What it leaves to another team it refuses, as long as it receives that this executes
+// it.
+void TeamMember::refuse_yielded() {
+  std::erase_if(yielded_, [&](const auto& each) {
+    const auto* other = contacts_.find(each.second);
+    return !other || now_ - other->informed > follower_lost_after() ||
+           other->inform.master == status_.master || !executes(other->inform, each.first);
+  });
+  resources_.refused = refused_by_task_;
+  for (const auto& [task, other] : yielded_)
+    if (!refuses(resources_, task)) resources_.refused.push_back(task);
+}
+
+void TeamMember::take(EntityId from, const TeamInform& inform) {
   if (!mission_ || !inform.mission || inform.mission->name != mission_->name) return;
   if (is_operator(self_)) inform_as_station(from, inform);
   if (role_ == Role::kFollowing) return inform_as_follower(from, inform);
@@ -89,7 +162,8 @@ void TeamMember::on(EntityId from, const TeamHere& here) {
                        *here.master != self_;
   if (follows && role_ == Role::kFollowing && from == master_)
     return follow(*here.master, TeamReason::kMerged);
-  if (contact && !contact->leads && contact->informed == now_) on(from, contact->inform);
+  if (contact && !contact->leads && contact->informed == now_)
+    take(from, contact->inform);
 }
 
 void TeamMember::inform_as_follower(EntityId from, const TeamInform& inform) {
@@ -129,7 +203,8 @@ void TeamMember::on(EntityId from, const TeamAssign& assign) {
   std::vector<std::uint32_t> tasks;
   for (const TeamTask& task : assign.tasks) {
     const auto& known = knowledge_.tasks.try_emplace(task.number, task).first->second;
-    if (!known.done && !has_done(task.number)) tasks.push_back(task.number);
+    if (!known.done && !has_done(task.number) && !yielded_.contains(task.number))
+      tasks.push_back(task.number);
   }
   if (tasks.size() < assign.tasks.size()) {
     informs_ = kInformRepeats;

@@ -66,15 +66,18 @@ void TeamMember::send_handed_in() {
   send_one(*master_, std::move(state));
 }
 
-// What the team knows, to stations that know less: they may be out of reach of the
-// master.
+// What the team knows, to stations that know less and are out of reach of the master:
+// others get it from that.
 void TeamMember::inform_stations() {
   const std::uint32_t number = knowledge_.number();
   for (const EntityId id : config_.operators) {
     const auto* station = contacts_.find(id);
-    if (id != self_ && station && now_ - station->informed <= lost_ &&
-        is_of_lineage(station->inform.mission) && station->inform.state_number != number)
-      send_one(id, knowledge_.part(next_part_++, members_));
+    if (id == self_ || !station || now_ - station->informed > follower_lost_after() ||
+        !is_of_lineage(station->inform.mission) || station->inform.state_number == number)
+      continue;
+    const bool receives_master = station->inform.master == master_ &&
+                                 station->inform.held <= kSilent * times().query_period;
+    if (!receives_master) send_one(id, knowledge_.part(next_part_++, members_));
   }
 }
 
@@ -83,7 +86,7 @@ void TeamMember::inform_stations() {
 bool TeamMember::is_team_gone() const {
   return now_ - evidence_ > lost_ + exchange_time() &&
          std::ranges::none_of(contacts_.all(), [&](const auto& contact) {
-           return now_ - contact.second.informed <= lost_ &&
+           return now_ - contact.second.informed <= follower_lost_after() &&
                   may_follow(contact.second.inform.mission);
          });
 }

@@ -12,6 +12,9 @@ namespace {
 constexpr double kMemory = 200;  // messages
 constexpr double kMinLoss = 0.05, kMaxLoss = 0.9;
 constexpr double kFalseAlarm = 1e-4;
+constexpr double kSmallTeam = 12;     // members that all say all in each period
+constexpr double kRarest = 5;         // query periods
+constexpr double kLongestPeriod = 5;  // [s]
 
 }  // namespace
 
@@ -38,6 +41,12 @@ double time_until_lost(const TeamTimes& times, double loss) {
   const double hops =
       times.radio_range > 0 ? times.mission_diameter / times.radio_range : 1;
   return times.query_period * std::max(4.0, queries) * std::max(1.0, hops);
+}
+
+double follower_period(const TeamTimes& times, std::size_t members) {
+  const double crowd = static_cast<double>(members) / kSmallTeam;
+  const double period = times.query_period * std::clamp(crowd, 1.0, kRarest);
+  return std::max(times.query_period, std::min(period, kLongestPeriod));
 }
 
 }  // namespace skein::reasoning

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace skein::reasoning {
@@ -39,5 +40,14 @@ class LossMeter {
 /// @param loss  p, from 0.05 to 0.9.
 /// @returns  [s].
 double time_until_lost(const TeamTimes& times, double loss);
+
+/// How often a follower says that it is there, while it receives its master and has
+/// nothing new to say, so that each receives no more of it than in a team of twelve:
+///
+///   T_f = T_q max(1, min(n / 12, 5)),  at most 5 s where T_q is less
+///
+/// @param members  n, of the team.
+/// @returns        [s].
+double follower_period(const TeamTimes& times, std::size_t members);
 
 }  // namespace skein::reasoning

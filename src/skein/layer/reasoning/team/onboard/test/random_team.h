@@ -20,17 +20,20 @@ namespace skein::reasoning {
 /// the radio is quiet for one re-selection, and all must be as the model says.
 class RandomTeam {
  public:
-  static constexpr std::uint32_t kMaxAircraft = 7;
+  struct Size {
+    std::uint32_t least = 2, most = 7;  // aircraft; of these so many begin
+  };
 
-  RandomTeam(std::uint64_t seed, const TeamConfig& config,
-             TaskSharing sharing = TaskSharing::kCoalitions)
+  RandomTeam(std::uint64_t seed, const TeamConfig& config, TaskSharing sharing,
+             const Size& size)
       : random_(seed, 0, Purpose::kTest),
+        most_aircraft_(size.most),
         // Proposed by who leads then, approved, and given as orders.
         exchanges_(config.approval ? 4 : 2),
         world_(seed, config, sharing),
         model_(world_, config, sharing) {
-    const std::uint32_t count = 2 + below(kMaxAircraft - 1);
-    for (std::uint32_t id = 1; id <= kMaxAircraft; ++id) sensors_[id] = below(2);
+    const std::uint32_t count = size.least + below(size.most - size.least + 1);
+    for (std::uint32_t id = 1; id <= most_aircraft_; ++id) sensors_[id] = below(2);
     for (std::uint32_t id = 1; id <= count; ++id) start(id);
     for (std::uint32_t k = 0; k <= count; ++k) add_task();
   }
@@ -129,7 +132,7 @@ class RandomTeam {
     if (kind == 4) return add_task(), add_task();
     if (kind == 5) return switch_station();
     if (kind == 6) {
-      const std::uint32_t id = 1 + below(kMaxAircraft);
+      const std::uint32_t id = 1 + below(most_aircraft_);
       if (!world_.aircraft.contains(EntityId{id})) start(id);
       return;
     }
@@ -205,6 +208,7 @@ class RandomTeam {
   static constexpr double kMaxSent = 12;  // messages of a member in a query period
 
   RandomStream random_;
+  std::uint32_t most_aircraft_;
   int exchanges_;
   TeamWorld world_;
   TeamModel model_;

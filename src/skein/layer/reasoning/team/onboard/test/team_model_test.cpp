@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kChapters = 12;  // each with some changes, and then quiet
 
-TeamConfig config_of(TeamStructure structure) {
+TeamConfig config_of(TeamStructure structure, const RandomTeam::Size& size = {}) {
   TeamConfig config;
   config.structure = structure;
   if (structure == TeamStructure::kMaster) config.operators = {TeamWorld::kStation};
@@ -18,18 +18,18 @@ TeamConfig config_of(TeamStructure structure) {
   config.times.mission_diameter = 0;
   config.times.radio_range = 0;
   config.allocation_period = 5;
-  for (std::uint32_t id = 0; id <= RandomTeam::kMaxAircraft; ++id)
-    config.known.insert(EntityId{id});
+  for (std::uint32_t id = 0; id <= size.most; ++id) config.known.insert(EntityId{id});
   return config;
 }
 
 // Seeds from 1 on, until the first that goes wrong.
 void play(const TeamConfig& config, std::uint64_t seeds, std::uint64_t min_events,
-          TaskSharing sharing = TaskSharing::kCoalitions) {
+          TaskSharing sharing = TaskSharing::kCoalitions,
+          const RandomTeam::Size& size = {}) {
   std::uint64_t events = 0;
   std::size_t done = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    RandomTeam team(seed, config, sharing);
+    RandomTeam team(seed, config, sharing, size);
     for (int chapter = 1; chapter <= kChapters; ++chapter)
       ASSERT_EQ(team.play_chapter(), "")
           << "seed " << seed << ", chapter " << chapter << ", " << team.now() << " s\n"
@@ -43,6 +43,13 @@ void play(const TeamConfig& config, std::uint64_t seeds, std::uint64_t min_event
 
 TEST(TeamModel, EachFollowerHasATaskWhateverHappens) {
   play(config_of(TeamStructure::kMaster), 100, 500'000);
+}
+
+// Most of what followers say again and again they leave out.
+TEST(TeamModel, EachFollowerOfALargeTeamHasATask) {
+  constexpr RandomTeam::Size kLarge{25, 40};
+  play(config_of(TeamStructure::kMaster, kLarge), 3, 300'000, TaskSharing::kNearest,
+       kLarge);
 }
 
 TEST(TeamModel, EachHasATaskThatTheOperatorApproves) {

@@ -155,7 +155,7 @@ class TeamWorld {
     double lost = 4, exchange = 0;
     for (const auto& [id, one] : aircraft) {
       const TeamMember& member = one.team->member();
-      lost = std::max(lost, member.lost_after());
+      lost = std::max(lost, member.follower_lost_after());
       exchange =
           std::max(exchange, member.round_trip() > 0 ? member.round_trip() : kUnknown);
     }

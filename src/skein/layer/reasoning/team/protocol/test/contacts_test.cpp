@@ -22,7 +22,7 @@ struct Heard {
   TeamContacts contacts{kSelf, {}};
   double now = 0;
   TeamVerdict take(const TeamMessage& message, bool to_all = true) {
-    return contacts.take(kOther, to_all, message, now, kLost);
+    return contacts.take(kOther, to_all, message, now, {kLost, kLost});
   }
 };
 
@@ -73,7 +73,8 @@ TEST(TeamContacts, RefusesWhatNoMemberSays) {
   TeamMessage other_version = inform(1);
   other_version.version = TeamMessage::kVersion + 1;
   EXPECT_EQ(heard.take(other_version), TeamVerdict::kOtherVersion);
-  EXPECT_EQ(heard.contacts.take(kSelf, true, inform(1), 0, kLost), TeamVerdict::kOwnId);
+  EXPECT_EQ(heard.contacts.take(kSelf, true, inform(1), 0, {kLost, kLost}),
+            TeamVerdict::kOwnId);
   EXPECT_EQ(heard.take(inform(1, -1)), TeamVerdict::kImplausible);
   EXPECT_EQ(heard.take(inform(1, std::numeric_limits<float>::quiet_NaN())),
             TeamVerdict::kImplausible);
@@ -93,8 +94,9 @@ TEST(TeamContacts, RefusesWhatNoMemberSays) {
 
 TEST(TeamContacts, RefusesWhoMayNotBeInTheTeam) {
   TeamContacts contacts(kSelf, {kSelf, EntityId{7}});
-  EXPECT_EQ(contacts.take(kOther, true, inform(1), 0, kLost), TeamVerdict::kUnknown);
-  EXPECT_EQ(contacts.take({7}, true, inform(1), 0, kLost), TeamVerdict::kNew);
+  EXPECT_EQ(contacts.take(kOther, true, inform(1), 0, {kLost, kLost}),
+            TeamVerdict::kUnknown);
+  EXPECT_EQ(contacts.take({7}, true, inform(1), 0, {kLost, kLost}), TeamVerdict::kNew);
 }
 
 TEST(TeamContacts, FindsTwoSendersWithOneId) {

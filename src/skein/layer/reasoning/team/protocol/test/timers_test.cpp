@@ -23,6 +23,16 @@ TEST(TeamTimers, WaitLongerWhereTheMissionIsLargerThanTheRadioReaches) {
   EXPECT_EQ(time_until_lost({2, 500, 1500, 0.1}, 0.1), 8);
 }
 
+TEST(TeamTimers, FollowersOfALargeTeamSayMoreRarelyThatTheyAreThere) {
+  EXPECT_EQ(follower_period({}, 1), 1);
+  EXPECT_EQ(follower_period({}, 12), 1);
+  EXPECT_EQ(follower_period({}, 36), 3);
+  EXPECT_EQ(follower_period({}, 1000), 5);
+  // Where queries are rare already they hold back no further.
+  EXPECT_EQ(follower_period({20, 1, 1, 0.1}, 1000), 20);
+  EXPECT_EQ(follower_period({0.5, 1, 1, 0.1}, 1000), 2.5);
+}
+
 TEST(TeamTimers, MeasureTheLoss) {
   for (const double loss : {0.0, 0.1, 0.3, 0.6}) {
     LossMeter meter;
