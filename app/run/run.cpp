@@ -110,6 +110,30 @@ void print_table(const record::RunSummary& summary) {
       print("  {:<44}{:>12.4g}\n", *text, value);
 }
 
+// The part of a version that says whether runs are the same: "0.1.0" of "0.1.0+g3e85".
+std::string_view release_of(std::string_view version) {
+  return version.substr(0, version.find('+'));
+}
+
+// Reads what the run of `folder` is done again from, if this version can do it.
+std::optional<record::RecordedRun> read_replayed(const fs::path& folder) {
+  auto recorded = record::read_recorded(folder);
+  if (!recorded) {
+    say_error(recorded.error());
+    return std::nullopt;
+  }
+  const std::string& version = recorded.value().version;
+  if (release_of(version) != release_of(kVersion)) {
+    complain(
+        "{}: was recorded by Skein {}; that version does it again (this is {}). "
+        "`report`, "
+        "`replay` and `export` read it.\n",
+        folder.string(), version.empty() ? "of unknown version" : version, kVersion);
+    return std::nullopt;
+  }
+  return std::move(recorded).value();
+}
+
 std::optional<RunOrder> order_of(const RunArguments& arguments) {
   std::vector<std::string> overrides = arguments.overrides;
   if (!arguments.seed.empty()) overrides.push_back("seed=" + arguments.seed);
@@ -123,21 +147,18 @@ std::optional<RunOrder> order_of(const RunArguments& arguments) {
       say_error(good.error());
       return std::nullopt;
     }
+  std::optional<record::RecordedRun> recorded;
+  if (again) {
+    recorded = read_replayed(arguments.replay);
+    if (!recorded) return std::nullopt;
+  }
   auto kinds = load_kinds(arguments.plugins, arguments.trusted);
   if (!kinds) return std::nullopt;
   auto scenario = load_scenario(
       again ? arguments.replay / "scenario.yaml" : fs::path(arguments.scenario),
       overrides, arguments.plugins, *kinds);
   if (!scenario) return std::nullopt;
-  RunOrder order{*std::move(kinds), *std::move(scenario), std::nullopt};
-  if (!again) return order;
-  auto recorded = record::read_recorded(arguments.replay);
-  if (!recorded) {
-    say_error(recorded.error());
-    return std::nullopt;
-  }
-  order.recorded = std::move(recorded).value();
-  return order;
+  return RunOrder{*std::move(kinds), *std::move(scenario), std::move(recorded)};
 }
 
 // The commands of a recorded run in place of the scenario's, which are among them.
@@ -272,8 +293,9 @@ int compare(const record::RecordedRun& recorded, const record::RunSummary& summa
     return kDone;
   }
   complain(
-      "Not the same content hash: {} was recorded, {} now. Is it the same version?\n",
-      *recorded.content_hash, summary.content_hash);
+      "Not the same content hash: {} was recorded by {}, {} now by {}. Is it the same "
+      "build?\n",
+      *recorded.content_hash, recorded.version, summary.content_hash, kVersion);
   return kFailed;
 }
 

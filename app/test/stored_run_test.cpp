@@ -2,6 +2,7 @@
 // Folders of runs: who may write into them, what is said of damaged and unfinished ones,
 // and where commands write what they make.
 #include <fcntl.h>
+#include <sqlite3.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 
@@ -143,6 +144,24 @@ TEST_F(Program, FoldersOfRunsThatHardlyBeganAreNamedRightly) {
   expect("export bare --what tracks --out t.geojson", "without their scenario.yaml");
   expect("replay bare --serve 0", "without their scenario.yaml");
   EXPECT_EQ(run({"report", "bare"}).status, 0) << "what there is is shown";
+}
+
+TEST_F(Program, ARunOfAnotherVersionIsDoneAgainByThatOnly) {
+  write("s.yaml", "duration_s: 2\naircraft: [{count: 1}]\n");
+  ASSERT_EQ(run({"run", "s.yaml", "--out", "old"}).status, 0);
+  EXPECT_EQ(run({"run", "--replay", "old", "--out", "same"}).status, 0);
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open((folder_ / "old/run.sqlite").c_str(), &database), SQLITE_OK);
+  sqlite3_exec(database, "UPDATE meta SET value = '0.1.0+gabc' WHERE name = 'version'",
+               nullptr, nullptr, nullptr);
+  sqlite3_close(database);
+  const Finished again = run({"run", "--replay", "old", "--out", "again"});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_NE(again.err.find("recorded by Skein 0.1.0+gabc; that version does it again"),
+            std::string::npos)
+      << again.err;
+  EXPECT_FALSE(fs::exists(folder_ / "again"));
+  EXPECT_EQ(run({"report", "old"}).status, 0);
 }
 
 TEST_F(Program, ARunThatWasInterruptedBeforeItsFirstStepIsDoneAgain) {

@@ -39,6 +39,10 @@ Result<RecordedRun> read_recorded(const std::filesystem::path& directory) {
       [&](VehicleReportRecord report) { run.reports.push_back(std::move(report)); },
       check_given<VehicleReportRecord>);
   if (!done) return done.error();
+  done = for_each_row(
+      database, "SELECT value FROM meta WHERE name = 'version'",
+      [&](const Statement& row) { run.version = row.text(0); }, "table meta");
+  if (!done) return done.error();
   bool interrupted = false;
   double simulated = 0, steps = 1;
   done = for_each_row(

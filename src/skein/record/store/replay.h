@@ -14,6 +14,7 @@ namespace skein::record {
 
 /// What a run needs to be done again, besides its scenario.
 struct RecordedRun {
+  std::string version;  ///< of the program that recorded it, as kVersion; empty: unknown
   std::vector<CommandRecord> commands;       ///< as they were given, in order
   std::vector<VehicleReportRecord> reports;  ///< of vehicles behind links, in order
   std::optional<std::string> content_hash;   ///< none: the run was cut off
