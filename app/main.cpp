@@ -95,16 +95,6 @@ Examples:
   source <(skein completion)
   source <(skein completion zsh))";
 
-constexpr const char* kStudyExamples = R"(
-Examples:
-  skein study estimators
-  skein study monitoring --estimators qkf,joint --strategies gus,tracking-binary --seeds 6
-  skein study bridge --data ../shared/data/fires/bridge_2021
-  skein study tuning --search 60 --threads 2
-  skein study network grid --nodes 4,9,16 --profiles nn4,cs91 --seeds 3
-  skein study network mixed --duration 3 --seeds 2 --threads 5
-  skein study estimators --cases values.csv > out.csv)";
-
 constexpr const char* kCampaignExamples = R"(
 Examples:
   skein campaign campaigns/formation.yaml
@@ -360,113 +350,6 @@ Command add_fire(CLI::App& program) {
   return {command, [given] { return fire_command(*given); }};
 }
 
-Command add_study(CLI::App& program) {
-  auto* command =
-      program.add_subcommand("study", "Run a study, with report and summary.");
-  const auto study = std::make_shared<StudyArguments>();
-  command->add_option("name", study->name, "The study; none = list them.");
-  command->add_option("experiment", study->experiment,
-                      "network: the experiment: grid, cell, hidden, mixed or obstacle.");
-  command->add_option("--out", study->out, "Folder; default: runs/study-NAME.");
-  command->add_option("--seeds", study->seeds, "Seeds per cell.")
-      ->check(CLI::Range(1, 10000));
-  command->add_option("--first-seed", study->first_seed, "The first seed.")
-      ->check(CLI::Range(0, 1000000000));
-  command->add_option("--threads", study->threads, "Runs at the same time.")
-      ->check(CLI::Range(1, 256));
-  for (const auto& [option, target, help] :
-       {std::tuple{"--only-cases", &study->cases, "Only these cases (comma separated)."},
-        std::tuple{"--estimators", &study->estimators, "Only these estimators."},
-        std::tuple{"--strategies", &study->strategies, "Only these strategies."}})
-    command->add_option(option, *target, help)->delimiter(',');
-  command->add_option("--set", study->overrides, "KEY=VALUE for every run.")
-      ->take_all()
-      ->allow_extra_args(false);
-  add_plugin_option(*command, study->plugins);
-  add_trust_option(*command, study->trusted);
-  command->add_option("--cases", study->cases_file,
-                      "estimators: evaluate the rows of this CSV (- = standard input). "
-                      "avoidance: the cases.");
-  command->add_option("--updates", study->updates_file,
-                      "estimators: whole updates, rows of this CSV.");
-  AvoidanceArguments& avoidance = study->avoidance;
-  command
-      ->add_option(
-          "--method", avoidance.method,
-          "avoidance: none, rule, priority, negotiated, group or auto (default).")
-      ->check(CLI::IsMember({"none", "rule", "priority", "negotiated", "group", "auto"}));
-  command
-      ->add_option(
-          "--plant", avoidance.plant,
-          "avoidance: path (default), or fixed-wing with six degrees of freedom.")
-      ->check(CLI::IsMember({"path", "fixed-wing"}));
-  command->add_option("--loss", avoidance.loss, "avoidance: share of messages lost.")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--delay", avoidance.delay, "avoidance: of messages [s].")
-      ->check(CLI::Range(0.0, 60.0));
-  command
-      ->add_option(
-          "--range", avoidance.range,
-          "avoidance: of the radio, and of sensors for strangers [m]; 0: their own.")
-      ->check(CLI::Range(0.0, 1e6));
-  command
-      ->add_option(
-          "--tracks", avoidance.tracks,
-          "avoidance: how strangers are found: perfect (default), adsb, passive or "
-          "radar.")
-      ->check(CLI::IsMember({"perfect", "adsb", "passive", "radar"}));
-  command
-      ->add_option("--stranger-room", avoidance.room,
-                   "avoidance: what is kept free where a stranger is met: moving "
-                   "(default) or static.")
-      ->check(CLI::IsMember({"moving", "static"}));
-  command
-      ->add_option("--deal", avoidance.deal,
-                   "avoidance: what two agree on: sum (default), product or zeuthen.")
-      ->check(CLI::IsMember({"sum", "product", "zeuthen"}));
-  command
-      ->add_option("--turbulence", avoidance.turbulence,
-                   "avoidance: none (default), light, moderate or severe.")
-      ->check(CLI::IsMember({"none", "light", "moderate", "severe"}));
-  command
-      ->add_option("--separation", avoidance.separation,
-                   "avoidance: team (50 m, 20 m; default) or light (1500 m, 150 m).")
-      ->check(CLI::IsMember({"team", "light"}));
-  command
-      ->add_option("--wind-from", avoidance.wind,
-                   "avoidance: SPEED,DEGREES instead of the wind of the cases.")
-      ->delimiter(',')
-      ->expected(2);
-  command->add_flag("--records", study->records,
-                    "avoidance: keep the records of every case, for skein report and "
-                    "replay.");
-  command->add_option("--data", study->data, "bridge: folder of the recorded fire.");
-  command
-      ->add_option("--gains", study->gains,
-                   "tuning: files of gains, beside the scenario's own.")
-      ->delimiter(',');
-  command
-      ->add_option("--search", study->search, "tuning: search for gains, so many tries.")
-      ->check(CLI::Range(1, 100000));
-  command
-      ->add_option("--nodes", study->nodes,
-                   "network: numbers of nodes or stations (comma separated).")
-      ->delimiter(',');
-  command
-      ->add_option("--profiles", study->profiles,
-                   "network: radios by name or file (comma separated).")
-      ->delimiter(',');
-  command->add_option("--duration", study->duration, "network: of each case [s].")
-      ->check(CLI::Range(1e-3, 4e6));
-  add_log_option(*command);
-  command->footer("\nStudies:\n" + list_of_studies() + kStudyExamples);
-  return {command, [command, study] {
-            for (const CLI::Option* option : command->get_options())
-              if (option->count() > 0) study->given.push_back(option->get_name());
-            return study_command(*study, stop_requested);
-          }};
-}
-
 Command add_campaign(CLI::App& program) {
   auto* command = program.add_subcommand(
       "campaign",
@@ -527,11 +410,10 @@ int run_program(int argc, char** argv) {
   const PlanOptions plan(program);
   for (auto* add : {add_avoid, add_report, add_export, add_fire})
     commands.push_back(add(program));
-  for (auto* add :
-       {add_replay, add_link, add_relay, add_vehicle, add_agent, add_team, add_net})
+  for (auto* add : {add_replay, add_link, add_relay, add_vehicle, add_agent, add_team,
+                    add_net, add_study})
     commands.push_back(add(program, stop_requested));
-  for (auto* add : {add_study, add_campaign, add_completion})
-    commands.push_back(add(program));
+  for (auto* add : {add_campaign, add_completion}) commands.push_back(add(program));
 
   try {
     program.parse(argc, argv);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bundles a page's folder (main.ts and the style sheet it imports) and writes script and
 // style as C++ text, functions page_script() and page_style() of skein::NAMESPACE that the
-// header skein/NAMESPACE/page_assets.h declares: build.mjs FOLDER NAMESPACE OUTPUT.cpp
+// header skein/NAMESPACE/FOLDER/page_assets.h declares: build.mjs FOLDER NAMESPACE OUTPUT.cpp
 import { writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -27,7 +27,7 @@ const content = (extension) => result.outputFiles.find((file) => file.path.endsW
 writeFileSync(
   output,
   `// Made by web/build.mjs.
-#include "skein/${namespace}/page_assets.h"
+#include "skein/${namespace}/${folder}/page_assets.h"
 
 namespace skein::${namespace} {
 

@@ -57,4 +57,9 @@ Command add_net(CLI::App& program, const std::atomic<bool>& stop);
 /// @param stop  asks for an early end.
 Command add_team(CLI::App& program, const std::atomic<bool>& stop);
 
+// A command of studies, each with options of its own.
+
+/// @param stop  asks for an early end.
+Command add_study(CLI::App& program, const std::atomic<bool>& stop);
+
 }  // namespace skein::app

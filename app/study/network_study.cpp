@@ -36,13 +36,13 @@ constexpr double kCellPower = -60;             // at every receiver of a cell [d
 struct Experiment {
   const char* name;
   NetworkExperiment which;
-  const char* not_for_it;  // an option that has no meaning here; null: none
+  bool nodes, profiles;  // whether it takes --nodes, --profiles
 };
 
 constexpr Experiment kExperiments[] = {
-    {"grid", NetworkExperiment::kGrid, nullptr},
-    {"cell", NetworkExperiment::kCell, "--profiles"},
-    {"hidden", NetworkExperiment::kHidden, "--nodes"},
+    {"grid", NetworkExperiment::kGrid, true, true},
+    {"cell", NetworkExperiment::kCell, true, false},
+    {"hidden", NetworkExperiment::kHidden, false, true},
 };
 
 // Those with real ones among the nodes.
@@ -183,11 +183,11 @@ const Experiment* experiment_of(const StudyArguments& arguments) {
   std::string names;
   for (const Experiment& each : kExperiments) {
     if (arguments.experiment == each.name) {
-      if (!each.not_for_it ||
-          !std::count(arguments.given.begin(), arguments.given.end(), each.not_for_it))
-        return &each;
-      complain("error: {} has no meaning for the experiment {}.\n", each.not_for_it,
-               each.name);
+      const bool no_nodes = !each.nodes && !arguments.nodes.empty();
+      const bool no_profiles = !each.profiles && !arguments.profiles.empty();
+      if (!no_nodes && !no_profiles) return &each;
+      complain("error: {} has no meaning for the experiment {}.\n",
+               no_nodes ? "--nodes" : "--profiles", each.name);
       return nullptr;
     }
     names += fmt::format(" {}", each.name);

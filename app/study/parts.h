@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/common/commands.h"
+#include "app/study/arguments.h"
 #include "skein/assemble/kinds/kind_registry.h"
 #include "skein/base/result.h"
 #include "skein/campaign/batch/batch.h"
@@ -79,6 +80,26 @@ int finish(const std::string& study, const campaign::StudyPlan& plan,
            const std::vector<campaign::BatchOutcome>& outcomes,
            const record::StudyReport& report, const std::filesystem::path& folder,
            const std::atomic<bool>& stop, const std::map<std::string, double>& more = {});
+
+/// `skein study estimators`; returns the exit status.
+int estimators_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
+                     const std::filesystem::path& folder, const std::atomic<bool>& stop);
+
+/// `skein study monitoring`; returns the exit status.
+int monitoring_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
+                     const std::filesystem::path& folder, const std::atomic<bool>& stop);
+
+/// `skein study bridge`; returns the exit status.
+int bridge_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
+                 const std::filesystem::path& folder, const std::atomic<bool>& stop);
+
+/// `skein study fidelity`; returns the exit status.
+int fidelity_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
+                   const std::filesystem::path& folder, const std::atomic<bool>& stop);
+
+/// `skein study robustness`; returns the exit status.
+int robustness_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
+                     const std::filesystem::path& folder, const std::atomic<bool>& stop);
 
 /// `skein study wind-following`; returns the exit status.
 int following_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,

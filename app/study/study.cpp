@@ -1,301 +1,271 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/core.h>
+// `skein study`: a command for each study, with options of its own.
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iostream>
-#include <sstream>
+#include <fmt/format.h>
 
-#include "app/common/commands.h"
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/common/command_options.h"
 #include "app/common/common.h"
 #include "app/common/output.h"
-#include "app/common/version.h"
-#include "app/study/particle_update.h"
 #include "app/study/parts.h"
-#include "skein/assemble/world/recorded_scenario.h"
-#include "skein/assemble/world/run.h"
-#include "skein/base/input_file.h"
-#include "skein/base/log.h"
-#include "skein/base/output_file.h"
-#include "skein/campaign/batch/study_summary.h"
-#include "skein/campaign/bridge/bridge_study.h"
-#include "skein/campaign/estimators/estimators_csv.h"
-#include "skein/campaign/estimators/estimators_report.h"
-#include "skein/campaign/estimators/estimators_study.h"
-#include "skein/campaign/fidelity/fidelity_study.h"
-#include "skein/campaign/monitoring/monitoring_report.h"
-#include "skein/campaign/monitoring/monitoring_study.h"
-#include "skein/campaign/robustness/robustness_study.h"
-#include "skein/record/report/study_report.h"
 
 namespace skein::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-// --- estimators ---------------------------------------------------------------------
+// --- options that several studies have
+// --------------------------------------------------
 
-int evaluate_rows(const std::string& file,
-                  std::vector<Error> (*evaluate)(std::istream&, const std::string&,
-                                                 std::ostream&)) {
-  std::ifstream stored;
-  if (file != "-") {
-    auto opened = open_input(file);
-    if (!opened) return say_error(opened.error());
-    stored = std::move(opened).value();
-  }
-  const auto problems =
-      evaluate(file == "-" ? std::cin : stored, file == "-" ? "stdin" : file, std::cout);
-  for (const Error& problem : problems) complain("{}\n", problem.text());
-  return problems.empty() ? kDone : kBadUsage;
+void add_threads(CLI::App& command, StudyArguments& study) {
+  command.add_option("--first-seed", study.first_seed, "The first seed.")
+      ->check(CLI::Range(0, 1000000000));
+  command.add_option("--threads", study.threads, "Runs at the same time.")
+      ->check(CLI::Range(1, 256));
 }
 
-int estimators(const fs::path& folder) {
-  if (auto made = make_folder(folder); !made) return say_error(made.error());
-  campaign::EstimatorsStudyOptions options;
-  options.more = {{"particle", particle_update}};
-  const auto tables = campaign::estimators_study(options);
-  for (const campaign::CurveTable& table : tables) {
-    std::ostringstream csv;
-    campaign::write_csv(table, csv);
-    if (auto written = write_file(folder / (table.name + ".csv"), csv.str()); !written)
-      return say_error(written.error());
-  }
-  if (auto written = record::write_study_report(
-          campaign::estimators_report(tables, options.sigma), folder / "report.html");
-      !written)
-    return say_error(written.error());
-  if (auto written = campaign::write_study_summary(
-          "estimators", kVersion, "complete", campaign::study_figures(tables), folder);
-      !written)
-    return say_error(written.error());
-  print("Written: {}  summary.json  and one CSV per figure\n",
-        (folder / "report.html").string());
-  return kDone;
+void add_seeds(CLI::App& command, StudyArguments& study) {
+  command.add_option("--seeds", study.seeds, "Seeds per cell.")
+      ->check(CLI::Range(1, 10000));
+  add_threads(command, study);
 }
 
-// --- studies of many runs -----------------------------------------------------------
-
-int monitoring(const StudyArguments& arguments, assemble::KindRegistry& kinds,
-               const fs::path& folder, const std::atomic<bool>& stop) {
-  campaign::MonitoringStudy study;
-  take_arguments(arguments, "thesis-no-wind.yaml", study);
-  study.cases = arguments.cases;
-  study.estimators = arguments.estimators;
-  study.strategies = arguments.strategies;
-  const auto plan =
-      campaign::plan_monitoring_study(study, reader_of(kinds, arguments.plugins));
-  if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
-  if (!outcomes) return say_error(outcomes.error());
-  return finish("monitoring", plan.value(), outcomes.value(),
-                campaign::monitoring_report(study, plan.value(), outcomes.value()),
-                folder, stop);
+void add_only_cases(CLI::App& command, StudyArguments& study) {
+  command.add_option("--only-cases", study.cases, "Only these cases (comma separated).")
+      ->delimiter(',');
 }
 
-int bridge(const StudyArguments& arguments, assemble::KindRegistry& kinds,
-           const fs::path& folder, const std::atomic<bool>& stop) {
-  campaign::BridgeStudy study;
-  take_arguments(arguments, "bridge-fire.yaml", study);
-  study.estimators = arguments.estimators;
-  study.strategies = arguments.strategies;
-  if (!arguments.data.empty()) {
-    const auto recorded = assemble::read_recorded_scenario(arguments.data, {});
-    if (!recorded) return say_error(recorded.error());
-    const auto fitted = assemble::recorded_overrides(recorded.value());
-    // What the command line says comes after what was fitted.
-    study.overrides.insert(study.overrides.begin(), fitted.begin(), fitted.end());
-  }
-  const auto plan =
-      campaign::plan_bridge_study(study, reader_of(kinds, arguments.plugins));
-  if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
-  if (!outcomes) return say_error(outcomes.error());
-  return finish("bridge", plan.value(), outcomes.value(),
-                campaign::bridge_report(study, plan.value(), outcomes.value()), folder,
-                stop);
+void add_methods(CLI::App& command, StudyArguments& study) {
+  command.add_option("--estimators", study.estimators, "Only these estimators.")
+      ->delimiter(',');
+  command.add_option("--strategies", study.strategies, "Only these strategies.")
+      ->delimiter(',');
 }
 
-int fidelity(const StudyArguments& arguments, assemble::KindRegistry& kinds,
-             const fs::path& folder, const std::atomic<bool>& stop) {
-  campaign::FidelityStudy study;
-  take_arguments(arguments, "wildfire.yaml", study);
-  study.levels = arguments.cases;
-  const auto plan =
-      campaign::plan_fidelity_study(study, reader_of(kinds, arguments.plugins));
-  if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
-  if (!outcomes) return say_error(outcomes.error());
-  return finish("fidelity", plan.value(), outcomes.value(),
-                campaign::fidelity_report(study, plan.value(), outcomes.value()), folder,
-                stop);
+// Of studies that fly a shipped scenario.
+void add_scenario(CLI::App& command, StudyArguments& study) {
+  add_set_option(command, study.overrides);
+  add_plugin_option(command, study.plugins);
+  add_trust_option(command, study.trusted);
 }
 
-int robustness(const StudyArguments& arguments, assemble::KindRegistry& kinds,
-               const fs::path& folder, const std::atomic<bool>& stop) {
-  campaign::RobustnessStudy study;
-  take_arguments(arguments, "robustness.yaml", study);
-  study.aircraft = arguments.cases;
-  const auto plan =
-      campaign::plan_robustness_study(study, reader_of(kinds, arguments.plugins));
-  if (!plan) return say_error(plan.error());
-  const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
-                                 [&](const campaign::BatchItem& item) {
-                                   campaign::FlightWatch watch = campaign::watch_of(item);
-                                   auto summary = run_item(item, kinds, stop, &watch);
-                                   if (summary)
-                                     watch.add_figures(summary.value().numbers);
-                                   return summary;
-                                 });
-  if (!outcomes) return say_error(outcomes.error());
-  return finish("robustness", plan.value(), outcomes.value(),
-                campaign::robustness_report(plan.value(), outcomes.value()), folder,
-                stop);
+// --- the options of each
+// ----------------------------------------------------------------
+
+void estimators_options(CLI::App& command, StudyArguments& study) {
+  auto* cases =
+      command.add_option("--cases", study.cases_file,
+                         "Evaluate the rows of this CSV (- = standard input) instead, to "
+                         "standard output.");
+  auto* updates = command.add_option(
+      "--updates", study.updates_file,
+      "Whole updates, the rows of this CSV, instead, to standard output.");
+  cases->excludes(updates);
+  for (CLI::Option* each : {cases, updates}) each->excludes("--out");
 }
+
+void monitoring_options(CLI::App& command, StudyArguments& study) {
+  add_seeds(command, study);
+  add_only_cases(command, study);
+  add_methods(command, study);
+  add_scenario(command, study);
+}
+
+void bridge_options(CLI::App& command, StudyArguments& study) {
+  command.add_option("--data", study.data, "Folder of the recorded fire.");
+  add_seeds(command, study);
+  add_methods(command, study);
+  add_scenario(command, study);
+}
+
+void flight_options(CLI::App& command, StudyArguments& study) {
+  add_seeds(command, study);
+  add_only_cases(command, study);
+  add_scenario(command, study);
+}
+
+void avoidance_options(CLI::App& command, StudyArguments& study) {
+  AvoidanceArguments& avoidance = study.avoidance;
+  const auto add_word = [&](const char* option, std::string& target, const char* help,
+                            std::vector<std::string> words) {
+    command.add_option(option, target, help)->check(CLI::IsMember(std::move(words)));
+  };
+  command.add_option("--cases", study.cases_file, "The cases (CSV).");
+  add_only_cases(command, study);
+  add_threads(command, study);
+  add_word("--method", avoidance.method,
+           "none, rule, priority, negotiated, group or auto (default).",
+           {"none", "rule", "priority", "negotiated", "group", "auto"});
+  add_word("--deal", avoidance.deal,
+           "What two agree on: sum (default), product or zeuthen.",
+           {"sum", "product", "zeuthen"});
+  add_word("--plant", avoidance.plant,
+           "path (default), or fixed-wing with six degrees of freedom.",
+           {"path", "fixed-wing"});
+  command.add_option("--loss", avoidance.loss, "Share of messages lost.")
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--delay", avoidance.delay, "Of messages [s].")
+      ->check(CLI::Range(0.0, 60.0));
+  command
+      .add_option("--range", avoidance.range,
+                  "Of the radio, and of sensors for intruders [m]; 0: their own.")
+      ->check(CLI::Range(0.0, 1e6));
+  add_word("--tracks", avoidance.tracks,
+           "How intruders are found: perfect (default), adsb, passive or radar.",
+           {"perfect", "adsb", "passive", "radar"});
+  add_word("--stranger-room", avoidance.room,
+           "What is kept free around an intruder: moving (default) or static.",
+           {"moving", "static"});
+  add_word("--turbulence", avoidance.turbulence,
+           "none (default), light, moderate or severe.",
+           {"none", "light", "moderate", "severe"});
+  add_word("--separation", avoidance.separation,
+           "team (50 m, 20 m; default) or light (1500 m, 150 m).", {"team", "light"});
+  command
+      .add_option("--wind-from", avoidance.wind,
+                  "SPEED,DEGREES instead of the wind of the cases.")
+      ->delimiter(',')
+      ->expected(2);
+  command.add_flag("--records", study.records,
+                   "Keep the records of every case, for skein report and replay.");
+}
+
+void network_options(CLI::App& command, StudyArguments& study) {
+  command.add_option("experiment", study.experiment,
+                     "grid, cell or hidden: beside ns-3 and Bianchi; mixed or obstacle: "
+                     "real and simulated modems.");
+  add_seeds(command, study);
+  command
+      .add_option("--nodes", study.nodes,
+                  "Numbers of nodes or stations (comma separated).")
+      ->delimiter(',');
+  command
+      .add_option("--profiles", study.profiles,
+                  "Radios by name or file (comma separated).")
+      ->delimiter(',');
+  command.add_option("--duration", study.duration, "Of each case [s].")
+      ->check(CLI::Range(1e-3, 4e6));
+}
+
+void tuning_options(CLI::App& command, StudyArguments& study) {
+  add_seeds(command, study);
+  auto* gains = command
+                    .add_option("--gains", study.gains,
+                                "Files of gains, beside the scenario's own.")
+                    ->delimiter(',');
+  command
+      .add_option("--search", study.search,
+                  "Search for gains, so many tries, from the scenario's own.")
+      ->check(CLI::Range(1, 100000))
+      ->excludes(gains);
+  add_scenario(command, study);
+}
+
+// --- the studies
+// ------------------------------------------------------------------------
 
 struct StudyKind {
   const char* name;
   const char* help;
-  std::vector<std::string> options;  // that it takes
+  const char* example;  ///< what follows `skein study NAME`
+  void (*options)(CLI::App& command, StudyArguments& study);  ///< besides --out, --log
   int (*run)(const StudyArguments& arguments, assemble::KindRegistry& kinds,
-             const fs::path& folder, const std::atomic<bool>& stop) = nullptr;
+             const fs::path& folder, const std::atomic<bool>& stop);
 };
 
-const std::vector<StudyKind>& study_kinds() {
-  static const std::vector<StudyKind> kinds = {
-      {"estimators",
-       "mean and variance of every measurement update against distance",
-       {"--out", "--log", "--cases", "--updates"}},
-      {"monitoring",
-       "every estimator x strategy x wind case, several seeds",
-       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases",
-        "--estimators", "--strategies", "--set", "--plugin", "--trust"},
-       monitoring},
-      {"bridge",
-       "a real fire, not star-shaped",
-       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--estimators",
-        "--strategies", "--set", "--data", "--plugin", "--trust"},
-       bridge},
-      {"fidelity",
-       "the default mission from kinematic points to aircraft in gusts",
-       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin", "--trust"},
-       fidelity},
-      {"wind-following",
-       "plans made for the wind against plans made without it: how closely they are "
-       "flown",
-       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin", "--trust"},
-       following_study},
-      {"robustness",
-       "random wind, turbulence and wrong parameters (1000 runs): is control ever lost?",
-       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin", "--trust"},
-       robustness},
-      {"ground-starts",
-       "starts from the ground in random wind and turbulence (500 runs): is any lost?",
-       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin", "--trust"},
-       ground_starts_study},
-      {"keeping",
-       "how closely a glider and a quadrotor track their commands, by receiver",
-       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--only-cases", "--set",
-        "--plugin", "--trust"},
-       keeping_study},
-      {"avoidance",
-       "aircraft that will meet, flown to the end: how near they come and what that "
-       "costs",
-       {"--out", "--log", "--cases", "--only-cases", "--first-seed", "--threads",
-        "--method", "--deal", "--plant", "--loss", "--delay", "--range", "--tracks",
-        "--stranger-room", "--turbulence", "--separation", "--wind-from", "--records"},
-       avoidance_study},
-      {"network",
-       "the radio medium beside ns-3 and Bianchi: network grid, network cell, network "
-       "hidden; real and simulated modems: network mixed, network obstacle",
-       {"experiment", "--out", "--log", "--seeds", "--first-seed", "--threads", "--nodes",
-        "--profiles", "--duration"},
-       network_study},
-      {"tuning",
-       "laps of waypoints, each with other gains; can search for gains",
-       {"--out", "--log", "--seeds", "--first-seed", "--threads", "--gains", "--search",
-        "--set", "--plugin", "--trust"},
-       tuning_study}};
-  return kinds;
+constexpr StudyKind kStudies[] = {
+    {"estimators", "mean and variance of every measurement update against distance",
+     "--cases values.csv > out.csv", estimators_options, estimators_study},
+    {"monitoring", "every estimator x strategy x wind case, several seeds",
+     "--estimators qkf,joint --strategies gus,tracking-binary --seeds 6",
+     monitoring_options, monitoring_study},
+    {"bridge", "a real fire, not star-shaped", "--data ../shared/data/fires/bridge_2021",
+     bridge_options, bridge_study},
+    {"fidelity", "the default mission from kinematic points to aircraft in gusts",
+     "--seeds 3", flight_options, fidelity_study},
+    {"wind-following",
+     "plans made for the wind against plans made without it: how closely they are flown",
+     "--seeds 5 --threads 2", flight_options, following_study},
+    {"robustness",
+     "random wind, turbulence and wrong parameters (1000 runs): is control ever lost?",
+     "--seeds 20", flight_options, robustness_study},
+    {"ground-starts",
+     "starts from the ground in random wind and turbulence (500 runs): is any lost?",
+     "--seeds 20", flight_options, ground_starts_study},
+    {"keeping", "how closely a glider and a quadrotor track their commands, by receiver",
+     "--seeds 5", flight_options, keeping_study},
+    {"avoidance",
+     "aircraft that will meet, flown to the end: how near they come and what that costs",
+     "--cases encounters.csv --method auto --loss 0.2", avoidance_options,
+     avoidance_study},
+    {"network",
+     "the radio medium beside ns-3 and Bianchi: network grid, network cell, network "
+     "hidden; real and simulated modems: network mixed, network obstacle",
+     "grid --nodes 4,9,16 --profiles nn4,cs91 --seeds 3", network_options, network_study},
+    {"tuning", "laps of waypoints, each with other gains; can search for gains",
+     "--search 60 --threads 2", tuning_options, tuning_study},
+};
+
+std::string names_of_studies() {
+  std::string names;
+  for (const StudyKind& kind : kStudies) names += fmt::format(" {}", kind.name);
+  return names;
 }
 
-// Null when there is none of this name.
-const StudyKind* find_study(const std::string& name) {
-  for (const StudyKind& kind : study_kinds())
-    if (kind.name == name) return &kind;
-  return nullptr;
+void print_studies() {
+  for (const StudyKind& kind : kStudies) print("{:<15}{}\n", kind.name, kind.help);
 }
 
-// What is wrong with the options of the command line; empty when nothing is.
-std::string not_for(const StudyArguments& arguments) {
-  const StudyKind* study = find_study(arguments.name);
-  if (!study) {
-    std::string names;
-    for (const StudyKind& kind : study_kinds()) names += fmt::format(" {}", kind.name);
-    return fmt::format("there is no study \"{}\". There are:{}.", arguments.name, names);
+int run_study(const StudyKind& kind, const StudyArguments& arguments,
+              const std::atomic<bool>& stop) {
+  fs::path folder = arguments.out;
+  if (folder.empty()) {
+    std::string name = fmt::format("study-{}", kind.name);
+    if (!arguments.experiment.empty()) name += "-" + arguments.experiment;
+    folder = fs::path("runs") / name;
   }
-  const auto given = [&](const char* option) {
-    return std::count(arguments.given.begin(), arguments.given.end(), option) > 0;
-  };
-  for (const std::string& option : arguments.given) {
-    if (option == "name" ||
-        std::count(study->options.begin(), study->options.end(), option))
-      continue;
-    std::string takes;
-    for (const std::string& each : study->options) takes += " " + each;
-    return fmt::format("{} has no meaning for the study {}, which takes{}.", option,
-                       study->name, takes);
-  }
-  if (arguments.name == "estimators" &&
-      given("--cases") + given("--updates") + given("--out") > 1 &&
-      (given("--cases") || given("--updates")))
-    return "--cases and --updates write to standard output: give one of them, and no "
-           "--out.";
-  if (given("--gains") && given("--search"))
-    return "--search starts from the scenario's own gains: give it no --gains.";
-  return {};
-}
-
-std::string default_folder(const StudyArguments& arguments) {
-  std::string name = "study-" + arguments.name;
-  if (!arguments.experiment.empty()) name += "-" + arguments.experiment;
-  return name;
+  auto kinds = load_kinds(arguments.plugins, arguments.trusted);
+  if (!kinds) return kBadUsage;
+  return kind.run(arguments, *kinds, folder, stop);
 }
 
 }  // namespace
 
-std::string list_of_studies() {
-  std::string list;
-  for (const StudyKind& kind : study_kinds())
-    list += fmt::format("{:<15}{}\n", kind.name, kind.help);
-  return list;
-}
-
-int study_command(const StudyArguments& arguments, const std::atomic<bool>& stop) {
-  if (arguments.name.empty()) {
-    print("{}", list_of_studies());
-    return kDone;
+Command add_study(CLI::App& program, const std::atomic<bool>& stop) {
+  auto* study = program.add_subcommand("study", "Run a study, with report and summary.");
+  study->require_subcommand(0, 1);
+  // What is no study gets an answer that names those that there are.
+  study->add_option("NAME", "The study; none = list them.")
+      ->group("")
+      ->check(CLI::Validator(
+          [](const std::string& name) {
+            return fmt::format("there is no study \"{}\". There are:{}.", name,
+                               names_of_studies());
+          },
+          ""));
+  using Chosen = std::pair<const CLI::App*, std::function<int()>>;
+  const auto all = std::make_shared<std::vector<Chosen>>();
+  for (const StudyKind& kind : kStudies) {
+    auto* command = study->add_subcommand(kind.name, kind.help);
+    const auto arguments = std::make_shared<StudyArguments>();
+    command->add_option("--out", arguments->out,
+                        fmt::format("Folder; default: runs/study-{}.", kind.name));
+    kind.options(*command, *arguments);
+    add_log_option(*command);
+    command->footer(
+        fmt::format("\nExample:\n  skein study {} {}", kind.name, kind.example));
+    all->emplace_back(
+        command, [&kind, arguments, &stop] { return run_study(kind, *arguments, stop); });
   }
-  if (const std::string odd = not_for(arguments); !odd.empty()) {
-    complain("error: {}\nRun with --help for more information.\n", odd);
-    return kBadUsage;
-  }
-  if (arguments.name == "estimators" && !arguments.cases_file.empty())
-    return evaluate_rows(arguments.cases_file, campaign::evaluate_cases);
-  if (arguments.name == "estimators" && !arguments.updates_file.empty())
-    return evaluate_rows(arguments.updates_file, campaign::evaluate_updates);
-  const fs::path folder = arguments.out.empty()
-                              ? fs::path("runs") / default_folder(arguments)
-                              : arguments.out;
-  if (arguments.name == "estimators") return estimators(folder);
-  auto kinds = load_kinds(arguments.plugins, arguments.trusted);
-  if (!kinds) return kBadUsage;
-  return find_study(arguments.name)->run(arguments, *kinds, folder, stop);
+  study->footer("\nskein study NAME --help shows the options of each.");
+  return {study, [all]() -> int {
+            for (const auto& [command, run] : *all)
+              if (*command) return run();
+            print_studies();
+            return kDone;
+          }};
 }
 
 }  // namespace skein::app

@@ -27,7 +27,11 @@ TEST_F(Program, StudiesGoOnAfterAnInterrupt) {
   EXPECT_EQ(run(study).status, 0);
   EXPECT_EQ(read_file(folder_ / "m" / "runs.jsonl"), journal) << "nothing was run again";
   EXPECT_EQ(summary.at("state"), "complete");
-  EXPECT_EQ(run({"study", "elephants"}).status, 2);
+  const Finished unknown = run({"study", "elephants"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("there is no study \"elephants\". There are: estimators"),
+            std::string::npos)
+      << unknown.err;
   EXPECT_EQ(run({"study", "monitoring", "--estimators", "elephant"}).status, 2);
 }
 
@@ -141,6 +145,26 @@ TEST_F(Program, AnInterruptedStudySaysThatItIsPartial) {
   EXPECT_NE(stopped.out.find("(n = "), std::string::npos) << stopped.out;
   const auto summary = nlohmann::json::parse(read_file(folder_ / "m" / "summary.json"));
   EXPECT_EQ(summary.at("state").get<std::string>().substr(0, 9), "partial: ");
+}
+
+TEST_F(Program, EachStudyHasHelpWithItsOwnOptionsOnly) {
+  const Finished list = run({"study"});
+  ASSERT_EQ(list.status, 0);
+  std::istringstream lines(list.out);
+  int studies = 0;
+  for (std::string line; std::getline(lines, line); ++studies) {
+    const std::string name = line.substr(0, line.find(' '));
+    const Finished help = run({"study", name, "--help"});
+    EXPECT_EQ(help.status, 0) << name;
+    for (const char* option : {"--gains", "--nodes", "--method", "--updates", "--data"})
+      if (help.out.find(option) != std::string::npos)
+        EXPECT_EQ(name, option == std::string("--gains")     ? "tuning"
+                        : option == std::string("--nodes")   ? "network"
+                        : option == std::string("--method")  ? "avoidance"
+                        : option == std::string("--updates") ? "estimators"
+                                                             : "bridge");
+  }
+  EXPECT_EQ(studies, 11);
 }
 
 TEST_F(Program, AStudyThatIsRefusedLeavesNothing) {
