@@ -13,7 +13,6 @@
 // Each message: sender, to all or not, time that passes, length, bytes of the wire form.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace skein;
-  using namespace skein::rehearsal;
   if (size == 0) return 0;
   reasoning::TeamConfig config;
   config.structure = static_cast<reasoning::TeamStructure>(data[0] % 4);

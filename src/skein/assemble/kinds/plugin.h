@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "skein/assemble/interface_version.h"
+#include "skein/assemble/kinds/interface_version.h"
 #include "skein/assemble/kinds/kind_registry.h"
 
 // What a plugin includes: a shared library with kinds of one's own, see

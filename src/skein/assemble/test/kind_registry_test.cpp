@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "skein/assemble/interface_version.h"
+#include "skein/assemble/kinds/interface_version.h"
 #include "skein/assemble/kinds/load_plugin.h"
 #include "skein/assemble/radio/radio_file.h"
 #include "skein/assemble/world/build.h"
