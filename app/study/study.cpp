@@ -255,11 +255,15 @@ Command add_study(CLI::App& program, const std::atomic<bool>& stop) {
     kind.options(*command, *arguments);
     add_log_option(*command);
     command->footer(
-        fmt::format("\nExample:\n  skein study {} {}", kind.name, kind.example));
+        fmt::format("\nExamples:\n  skein study {} {}", kind.name, kind.example));
     all->emplace_back(
         command, [&kind, arguments, &stop] { return run_study(kind, *arguments, stop); });
   }
-  study->footer("\nskein study NAME --help shows the options of each.");
+  study->footer(R"(
+Examples:
+  skein study                        list the studies
+  skein study monitoring --help      the options of one
+  skein study tuning --search 60 --threads 2)");
   return {study, [all]() -> int {
             for (const auto& [command, run] : *all)
               if (*command) return run();

@@ -191,7 +191,8 @@ export interface FlyTour {
 }
 
 /** Stay where the aircraft is when the order comes. */
-export interface Hold {}
+export interface Hold {
+}
 
 /** See all of an area. */
 export interface Survey {
@@ -264,7 +265,8 @@ export interface FlyPlan {
 }
 
 /** Fly home and stay above. */
-export interface Return {}
+export interface Return {
+}
 
 /** Land. */
 export interface Land {
@@ -276,29 +278,12 @@ export interface Land {
 /** One order for one aircraft. */
 export interface Task {
   task_number: number; // the newest counts
-  what:
-    | ({ kind: "loiter" } & Loiter)
-    | ({ kind: "fly_to" } & FlyTo)
-    | ({ kind: "follow_edge" } & FollowEdge)
-    | ({ kind: "follow_line" } & FollowLine)
-    | ({ kind: "fly_course" } & FlyCourse)
-    | ({ kind: "fly_route" } & FlyRoute)
-    | ({ kind: "follow_leader" } & FollowLeader)
-    | ({ kind: "fly_tour" } & FlyTour)
-    | ({ kind: "hold" } & Hold)
-    | ({ kind: "survey" } & Survey)
-    | ({ kind: "patrol" } & Patrol)
-    | ({ kind: "orbit" } & Orbit)
-    | ({ kind: "measure" } & Measure)
-    | ({ kind: "rendezvous" } & Rendezvous)
-    | ({ kind: "relay" } & Relay)
-    | ({ kind: "fly_plan" } & FlyPlan)
-    | ({ kind: "return" } & Return)
-    | ({ kind: "land" } & Land); // what to do
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what to do
 }
 
 /** The sender is there, nothing more. */
-export interface Heartbeat {}
+export interface Heartbeat {
+}
 
 /** Where an aircraft of the team is. */
 export interface TeamPosition {
@@ -355,25 +340,7 @@ export interface TaskReport {
   task_number: number; // of the task
   state: "none" | "flying" | "paused" | "done" | "impossible"; // how far it is
   reason: string; // why it is impossible; else empty
-  rest:
-    | ({ kind: "loiter" } & Loiter)
-    | ({ kind: "fly_to" } & FlyTo)
-    | ({ kind: "follow_edge" } & FollowEdge)
-    | ({ kind: "follow_line" } & FollowLine)
-    | ({ kind: "fly_course" } & FlyCourse)
-    | ({ kind: "fly_route" } & FlyRoute)
-    | ({ kind: "follow_leader" } & FollowLeader)
-    | ({ kind: "fly_tour" } & FlyTour)
-    | ({ kind: "hold" } & Hold)
-    | ({ kind: "survey" } & Survey)
-    | ({ kind: "patrol" } & Patrol)
-    | ({ kind: "orbit" } & Orbit)
-    | ({ kind: "measure" } & Measure)
-    | ({ kind: "rendezvous" } & Rendezvous)
-    | ({ kind: "relay" } & Relay)
-    | ({ kind: "fly_plan" } & FlyPlan)
-    | ({ kind: "return" } & Return)
-    | ({ kind: "land" } & Land); // what is left of it
+  rest: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what is left of it
 }
 
 /** Where somebody has seen an object. */
@@ -715,23 +682,7 @@ export interface TeamHere {
 export interface Team {
   version: number; // of the protocol
   team_number: number; // counts the sender's messages
-  said:
-    | ({ kind: "team_query" } & TeamQuery)
-    | ({ kind: "team_inform" } & TeamInform)
-    | ({ kind: "team_propose" } & TeamPropose)
-    | ({ kind: "team_accept" } & TeamAccept)
-    | ({ kind: "team_reject" } & TeamReject)
-    | ({ kind: "team_confirm" } & TeamConfirm)
-    | ({ kind: "team_decline" } & TeamDecline)
-    | ({ kind: "team_assign" } & TeamAssign)
-    | ({ kind: "team_assign_ack" } & TeamAssignAck)
-    | ({ kind: "team_state" } & TeamState)
-    | ({ kind: "team_merge" } & TeamMerge)
-    | ({ kind: "team_split" } & TeamSplit)
-    | ({ kind: "team_bids" } & TeamBids)
-    | ({ kind: "team_proposal" } & TeamProposal)
-    | ({ kind: "team_decision" } & TeamDecision)
-    | ({ kind: "team_here" } & TeamHere); // what it says
+  said: ({ kind: "team_query" } & TeamQuery) | ({ kind: "team_inform" } & TeamInform) | ({ kind: "team_propose" } & TeamPropose) | ({ kind: "team_accept" } & TeamAccept) | ({ kind: "team_reject" } & TeamReject) | ({ kind: "team_confirm" } & TeamConfirm) | ({ kind: "team_decline" } & TeamDecline) | ({ kind: "team_assign" } & TeamAssign) | ({ kind: "team_assign_ack" } & TeamAssignAck) | ({ kind: "team_state" } & TeamState) | ({ kind: "team_merge" } & TeamMerge) | ({ kind: "team_split" } & TeamSplit) | ({ kind: "team_bids" } & TeamBids) | ({ kind: "team_proposal" } & TeamProposal) | ({ kind: "team_decision" } & TeamDecision) | ({ kind: "team_here" } & TeamHere); // what it says
 }
 
 /** The sender wants to land, or has landed. */
@@ -800,40 +751,13 @@ export interface MessageRecord {
   to_id: number; // for whom
   number: number; // counts the sender's messages
   sent_s: number; // when it was sent
-  content:
-    | ({ kind: "reading" } & Reading)
-    | ({ kind: "report" } & Report)
-    | ({ kind: "task" } & Task)
-    | ({ kind: "heartbeat" } & Heartbeat)
-    | ({ kind: "team_position" } & TeamPosition)
-    | ({ kind: "zone" } & ZoneChange)
-    | ({ kind: "plugin" } & Plugin)
-    | ({ kind: "task_change" } & TaskChange)
-    | ({ kind: "task_report" } & TaskReport)
-    | ({ kind: "sighting" } & Sighting)
-    | ({ kind: "plan_report" } & PlanReport)
-    | ({ kind: "place_report" } & PlaceReport)
-    | ({ kind: "conflict_notice" } & ConflictNotice)
-    | ({ kind: "offers" } & Offers)
-    | ({ kind: "acceptance" } & Acceptance)
-    | ({ kind: "busy" } & Busy)
-    | ({ kind: "group_invitation" } & GroupInvitation)
-    | ({ kind: "group_joining" } & GroupJoining)
-    | ({ kind: "group_plan" } & GroupPlan)
-    | ({ kind: "group_acceptance" } & GroupAcceptance)
-    | ({ kind: "team" } & Team)
-    | ({ kind: "landing_report" } & LandingReport)
-    | ({ kind: "readings" } & Readings)
-    | ({ kind: "yield_request" } & YieldRequest)
-    | ({ kind: "yield_answer" } & YieldAnswer)
-    | ({ kind: "flight_change" } & FlightChange); // what it says
+  content: ({ kind: "reading" } & Reading) | ({ kind: "report" } & Report) | ({ kind: "task" } & Task) | ({ kind: "heartbeat" } & Heartbeat) | ({ kind: "team_position" } & TeamPosition) | ({ kind: "zone" } & ZoneChange) | ({ kind: "plugin" } & Plugin) | ({ kind: "task_change" } & TaskChange) | ({ kind: "task_report" } & TaskReport) | ({ kind: "sighting" } & Sighting) | ({ kind: "plan_report" } & PlanReport) | ({ kind: "place_report" } & PlaceReport) | ({ kind: "conflict_notice" } & ConflictNotice) | ({ kind: "offers" } & Offers) | ({ kind: "acceptance" } & Acceptance) | ({ kind: "busy" } & Busy) | ({ kind: "group_invitation" } & GroupInvitation) | ({ kind: "group_joining" } & GroupJoining) | ({ kind: "group_plan" } & GroupPlan) | ({ kind: "group_acceptance" } & GroupAcceptance) | ({ kind: "team" } & Team) | ({ kind: "landing_report" } & LandingReport) | ({ kind: "readings" } & Readings) | ({ kind: "yield_request" } & YieldRequest) | ({ kind: "yield_answer" } & YieldAnswer) | ({ kind: "flight_change" } & FlightChange); // what it says
   arrived_s: number; // when it arrived, or was lost
   size_bytes: number; // as coded on the air
   lost: boolean; // it never arrived
   said: string; // of content team: what it says
   copy: boolean; // a further receiver's copy of a message to all
-  cause:
-    "none" | "chance" | "outage" | "out-of-range" | "queue-full" | "retry-limit" | "expired" | "not-received" | "link-down" | "nobody" | "refused" | "pending"; // why it was lost
+  cause: "none" | "chance" | "outage" | "out-of-range" | "queue-full" | "retry-limit" | "expired" | "not-received" | "link-down" | "nobody" | "refused" | "pending"; // why it was lost
   on_air_s: number | null; // when its first frame began; null: never, or not known
   transmissions: number; // data frames, of all its parts
   hops: number; // radios that passed it on
@@ -939,25 +863,7 @@ export interface RangeScan {
 /** One aircraft shall do this until the mission resumes. */
 export interface TaskCommand {
   aircraft: string; // who
-  what:
-    | ({ kind: "loiter" } & Loiter)
-    | ({ kind: "fly_to" } & FlyTo)
-    | ({ kind: "follow_edge" } & FollowEdge)
-    | ({ kind: "follow_line" } & FollowLine)
-    | ({ kind: "fly_course" } & FlyCourse)
-    | ({ kind: "fly_route" } & FlyRoute)
-    | ({ kind: "follow_leader" } & FollowLeader)
-    | ({ kind: "fly_tour" } & FlyTour)
-    | ({ kind: "hold" } & Hold)
-    | ({ kind: "survey" } & Survey)
-    | ({ kind: "patrol" } & Patrol)
-    | ({ kind: "orbit" } & Orbit)
-    | ({ kind: "measure" } & Measure)
-    | ({ kind: "rendezvous" } & Rendezvous)
-    | ({ kind: "relay" } & Relay)
-    | ({ kind: "fly_plan" } & FlyPlan)
-    | ({ kind: "return" } & Return)
-    | ({ kind: "land" } & Land); // what to do
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what to do
   others: string[]; // names of those it is about; empty: it has their numbers
   file: string; // with the plan of a fly_plan
 }
@@ -1196,21 +1102,7 @@ export interface PositionFix {
 /** What a program outside asks of an aircraft. */
 export interface Vehicle {
   aircraft: string; // who
-  request:
-    | ({ kind: "set_mode" } & SetMode)
-    | ({ kind: "arm" } & Arm)
-    | ({ kind: "take_off" } & TakeOff)
-    | ({ kind: "land" } & Land)
-    | ({ kind: "fly_to" } & FlyTo)
-    | ({ kind: "bank_setpoint" } & BankSetpoint)
-    | ({ kind: "track_setpoint" } & TrackSetpoint)
-    | ({ kind: "set_speed" } & SetSpeed)
-    | ({ kind: "upload_mission" } & UploadMission)
-    | ({ kind: "start_mission" } & StartMission)
-    | ({ kind: "pilot" } & Pilot)
-    | ({ kind: "obstacles" } & Obstacles)
-    | ({ kind: "upload_fence" } & UploadFence)
-    | ({ kind: "position_fix" } & PositionFix); // what
+  request: ({ kind: "set_mode" } & SetMode) | ({ kind: "arm" } & Arm) | ({ kind: "take_off" } & TakeOff) | ({ kind: "land" } & Land) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "bank_setpoint" } & BankSetpoint) | ({ kind: "track_setpoint" } & TrackSetpoint) | ({ kind: "set_speed" } & SetSpeed) | ({ kind: "upload_mission" } & UploadMission) | ({ kind: "start_mission" } & StartMission) | ({ kind: "pilot" } & Pilot) | ({ kind: "obstacles" } & Obstacles) | ({ kind: "upload_fence" } & UploadFence) | ({ kind: "position_fix" } & PositionFix); // what
 }
 
 /** An allocation that a team has proposed comes into force, or not. */
@@ -1231,25 +1123,7 @@ export interface ChangeFlight {
 export interface ChangeTeamTask {
   action: "add" | "withdraw" | "change"; // what becomes of it
   number: number; // which is withdrawn or changed
-  what:
-    | ({ kind: "loiter" } & Loiter)
-    | ({ kind: "fly_to" } & FlyTo)
-    | ({ kind: "follow_edge" } & FollowEdge)
-    | ({ kind: "follow_line" } & FollowLine)
-    | ({ kind: "fly_course" } & FlyCourse)
-    | ({ kind: "fly_route" } & FlyRoute)
-    | ({ kind: "follow_leader" } & FollowLeader)
-    | ({ kind: "fly_tour" } & FlyTour)
-    | ({ kind: "hold" } & Hold)
-    | ({ kind: "survey" } & Survey)
-    | ({ kind: "patrol" } & Patrol)
-    | ({ kind: "orbit" } & Orbit)
-    | ({ kind: "measure" } & Measure)
-    | ({ kind: "rendezvous" } & Rendezvous)
-    | ({ kind: "relay" } & Relay)
-    | ({ kind: "fly_plan" } & FlyPlan)
-    | ({ kind: "return" } & Return)
-    | ({ kind: "land" } & Land); // what to do
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what to do
   others: string[]; // names of those it is about; empty: it has their numbers
   after: number[]; // numbers of tasks that are over before one that is added
   group: boolean; // several may fly one that is added

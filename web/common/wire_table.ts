@@ -82,7 +82,9 @@ export const kTable: Table = {
       ["mission", "text"],
       ["values", "@NamedValue[]"],
     ],
-    Snapshot: [["begins", "flag"]],
+    Snapshot: [
+      ["begins", "flag"],
+    ],
     EntityReality: [
       ["presence", "#Enum7"],
       ["interaction", "#Enum7"],
@@ -194,7 +196,9 @@ export const kTable: Table = {
       ["task_time_to_go", "f64?", "_s"],
       ["next_in", "f64?", "_s"],
     ],
-    Loiter: [["", "vec2", "_m", 1, "north east altitude_msl", -1]],
+    Loiter: [
+      ["", "vec2", "_m", 1, "north east altitude_msl", -1],
+    ],
     FlyTo: [
       ["", "vec2", "_m", 1, "north east altitude_msl", -1],
       ["altitude_msl", "f64?", "_m"],
@@ -205,8 +209,12 @@ export const kTable: Table = {
       ["tangent", "vec2", "", 1, "north east down", 1],
       ["angle", "f64", "_deg", 57.29577951308232],
     ],
-    FollowLine: [["points", "vec2[]"]],
-    FlyCourse: [["course", "f64", "_deg", 57.29577951308232]],
+    FollowLine: [
+      ["points", "vec2[]"],
+    ],
+    FlyCourse: [
+      ["course", "f64", "_deg", 57.29577951308232],
+    ],
     FlyRoute: [
       ["points", "vec2[]"],
       ["laps", "int"],
@@ -220,7 +228,8 @@ export const kTable: Table = {
       ["points", "vec2[]"],
       ["laps", "int"],
     ],
-    Hold: [],
+    Hold: [
+    ],
     Survey: [
       ["area", "vec2[]"],
       ["holes", "vec2[][]"],
@@ -269,7 +278,8 @@ export const kTable: Table = {
       ["plan", "@FlightElement[]"],
       ["any_time", "flag"],
     ],
-    Return: [],
+    Return: [
+    ],
     Land: [
       ["at_home", "flag"],
       ["", "vec2", "_m", 1, "north east altitude_msl", -1],
@@ -278,7 +288,8 @@ export const kTable: Table = {
       ["task_number", "uint"],
       ["what", "|Choice3"],
     ],
-    Heartbeat: [],
+    Heartbeat: [
+    ],
     TeamPosition: [
       ["entity_id", "uint"],
       ["", "@Nav"],
@@ -472,9 +483,15 @@ export const kTable: Table = {
       ["distance", "f64", "_m"],
       ["members", "uint"],
     ],
-    TeamReject: [["exchange", "uint"]],
-    TeamConfirm: [["exchange", "uint"]],
-    TeamDecline: [["exchange", "uint"]],
+    TeamReject: [
+      ["exchange", "uint"],
+    ],
+    TeamConfirm: [
+      ["exchange", "uint"],
+    ],
+    TeamDecline: [
+      ["exchange", "uint"],
+    ],
     TeamTask: [
       ["number", "uint"],
       ["place", "vec2", "_m", 1, "north east altitude_msl", -1],
@@ -492,7 +509,9 @@ export const kTable: Table = {
       ["number", "uint"],
       ["tasks", "@TeamTask[]"],
     ],
-    TeamAssignAck: [["number", "uint"]],
+    TeamAssignAck: [
+      ["number", "uint"],
+    ],
     TeamMeeting: [
       ["lower_id", "uint"],
       ["higher_id", "uint"],
@@ -696,23 +715,37 @@ export const kTable: Table = {
       ["action", "#Enum15"],
       ["mission", "text"],
     ],
-    Pause: [["paused", "flag"]],
-    Step: [["steps", "uint"]],
-    Speed: [["factor", "f64"]],
+    Pause: [
+      ["paused", "flag"],
+    ],
+    Step: [
+      ["steps", "uint"],
+    ],
+    Speed: [
+      ["factor", "f64"],
+    ],
     Fault: [
       ["aircraft", "text"],
       ["part", "text"],
       ["fails", "flag"],
     ],
-    Wind: [["", "vec2", "_mps", 1, "wind_north wind_east wind_down", 1]],
-    Add: [["aircraft", "text"]],
-    Remove: [["aircraft", "text"]],
+    Wind: [
+      ["", "vec2", "_mps", 1, "wind_north wind_east wind_down", 1],
+    ],
+    Add: [
+      ["aircraft", "text"],
+    ],
+    Remove: [
+      ["aircraft", "text"],
+    ],
     ChangeTask: [
       ["aircraft", "text"],
       ["action", "#Enum8"],
       ["to", "text"],
     ],
-    SetMode: [["mode", "#Enum16"]],
+    SetMode: [
+      ["mode", "#Enum16"],
+    ],
     Arm: [
       ["arm", "flag"],
       ["force", "flag"],
@@ -744,7 +777,9 @@ export const kTable: Table = {
       ["acceleration", "vec3", "_m", 1, "north east down", 1],
       ["heading", "f64?", "_deg", 57.29577951308232],
     ],
-    SetSpeed: [["airspeed", "f64", "_mps"]],
+    SetSpeed: [
+      ["airspeed", "f64", "_mps"],
+    ],
     MissionItem: [
       ["kind", "#Enum17"],
       ["", "vec3", "_m", 1, "north east altitude_msl", -1],
@@ -753,8 +788,12 @@ export const kTable: Table = {
       ["to", "uint"],
       ["repeats", "uint"],
     ],
-    UploadMission: [["items", "@MissionItem[]"]],
-    StartMission: [["item", "uint"]],
+    UploadMission: [
+      ["items", "@MissionItem[]"],
+    ],
+    StartMission: [
+      ["item", "uint"],
+    ],
     PilotInput: [
       ["time", "time"],
       ["takes_over", "flag"],
@@ -764,12 +803,16 @@ export const kTable: Table = {
       ["yaw", "f64"],
       ["throttle", "f64"],
     ],
-    Pilot: [["input", "@PilotInput"]],
+    Pilot: [
+      ["input", "@PilotInput"],
+    ],
     Obstacles: [
       ["range", "f64", "_m"],
       ["distances", "f64[72]"],
     ],
-    UploadFence: [["zones", "@Zone2[]"]],
+    UploadFence: [
+      ["zones", "@Zone2[]"],
+    ],
     PositionFix: [
       ["", "vec3", "_m", 1, "north east altitude_msl", -1],
       ["", "vec3", "_mps", 1, "velocity_north velocity_east climb", -1],
@@ -798,7 +841,9 @@ export const kTable: Table = {
       ["group", "flag"],
       ["station", "text"],
     ],
-    HandBack: [["aircraft", "text"]],
+    HandBack: [
+      ["aircraft", "text"],
+    ],
     Refused: [
       ["aircraft", "text"],
       ["text", "text"],
@@ -844,8 +889,11 @@ export const kTable: Table = {
       ["believer_id", "uint"],
       ["", "@ObjectBelief2"],
     ],
-    Open: [],
-    Perimeter2: [["phenomenon", "uint"]],
+    Open: [
+    ],
+    Perimeter2: [
+      ["phenomenon", "uint"],
+    ],
     Survey2: [
       ["area", "vec2[]", "_m", 1, "north east altitude_msl", -1],
       ["holes", "vec2[][]", "_m", 1, "north east altitude_msl", -1],
@@ -853,7 +901,9 @@ export const kTable: Table = {
       ["planned_at", "f64", "_s"],
       ["planned_for", "f64", "_s"],
     ],
-    Track: [["objects", "uint[]"]],
+    Track: [
+      ["objects", "uint[]"],
+    ],
     Patrol2: [
       ["line", "vec2[]", "_m", 1, "north east altitude_msl", -1],
       ["closed", "flag"],
@@ -984,7 +1034,9 @@ export const kTable: Table = {
       ["truth_time", "time"],
       ["lost", "flag"],
     ],
-    RegionOfInterest: [["place", "vec3?", "_m", 1, "north east altitude_msl", -1]],
+    RegionOfInterest: [
+      ["place", "vec3?", "_m", 1, "north east altitude_msl", -1],
+    ],
     ConflictReport: [
       ["other_id", "uint"],
       ["seen", "time"],
@@ -1078,7 +1130,9 @@ export const kTable: Table = {
       ["gap", "f64?"],
       ["shares", "@TeamShare[]"],
     ],
-    Entity2: [["said", "|Choice10"]],
+    Entity2: [
+      ["said", "|Choice10"],
+    ],
     VehicleReport: [
       ["time", "time"],
       ["entity_id", "uint"],
@@ -1244,7 +1298,9 @@ export const kTable: Table = {
       ["required_vertical", "f64", "_m"],
       ["over", "flag"],
     ],
-    LiveRecord: [["record", "|Choice"]],
+    LiveRecord: [
+      ["record", "|Choice"],
+    ],
     TaskPreview: [
       ["number", "uint"],
       ["problem", "text"],

@@ -34,32 +34,13 @@ bool takes_part(const Entity& entity, Time now) {
   return false;
 }
 
-// "battery: return", and what else is known of it.
-std::string failsafe_text(const AutopilotStatus& status) {
-  std::string text =
-      fmt::format("{}: {}", name_of(status.trigger), name_of(status.reaction));
-  if (!status.held.empty()) text.append(": ").append(status.held);
-  return text;
-}
-
-std::optional<double> rms_sigma(const BoundaryEstimate& belief) {
-  double sum = 0;
-  int count = 0;
-  for (const auto& ring : belief.rings)
-    for (const BoundaryPoint& point : ring) {
-      sum += point.sigma * point.sigma;
-      ++count;
-    }
-  if (count == 0) return std::nullopt;
-  return std::sqrt(sum / count);
-}
-
 }  // namespace
 
 Stepper::Stepper(World& world, const RunOptions& options, Recorder& recorder)
     : world_(world),
       options_(options),
       recorder_(recorder),
+      records_(world, recorder),
       arena_(options.threads),
       objects_(world.objects),
       traffic_(world.traffic),
@@ -74,19 +55,6 @@ Surroundings Stepper::surroundings(std::size_t i) const {
           objects_.visible_to(world_.entities[i].reality), traffic_.visible()};
 }
 
-void Stepper::introduce() {
-  for (std::size_t i = 0; i < world_.entities.size(); ++i)
-    recorder_.record(EntityRecord{id_of(i), world_.entities[i].name,
-                                  world_.entities[i].kind, world_.entities[i].reality});
-  for (const WorldObject& each : world_.objects) {
-    recorder_.record(each.object);
-    if (each.body) recorder_.record(*each.body);
-  }
-  for (const WorldTraffic& each : world_.traffic) recorder_.record(each.what);
-  for (const Zone& zone : world_.zones)
-    recorder_.record(ZoneRecord{Time(), {0, true, zone}});
-}
-
 Result<void> Stepper::step(Time now) {
   last_step_ = now;
   if (due(now, options_.environment_period))
@@ -99,7 +67,7 @@ Result<void> Stepper::step(Time now) {
   record_memory();
   think(now);
   exchange(now);
-  record_vehicles(now);
+  if (due(now, options_.record_period)) records_.vehicles(states_, now);
   const Time next = now + options_.step;
   advance(now, next);
   record_accidents(now);
@@ -111,18 +79,10 @@ Result<void> Stepper::step(Time now) {
 void Stepper::finish() {
   news_.clear();
   world_.radio->end(news_);
-  for (const MessageOutcome& outcome : news_.ended) record_message(outcome, last_step_);
+  for (const MessageOutcome& outcome : news_.ended) records_.message(outcome, last_step_);
   separation_.finish(last_step_);
-  record_separation();
-  if (last_step_ > radios_recorded_) record_radios(last_step_);
-}
-
-std::string Stepper::headline() const {
-  std::string line = sigma_ ? fmt::format("sigma {:.1f} m", *sigma_) : std::string();
-  if (air_)
-    line += fmt::format("{}air {:.0f} %, {} lost", line.empty() ? "" : ", ", 100 * *air_,
-                        lost_before_);
-  return line;
+  records_.separation(separation_);
+  if (last_step_ > records_.radios_recorded()) records_.radios(states_, last_step_);
 }
 
 template <class Body>
@@ -210,9 +170,9 @@ void Stepper::update_presence(Time now) {
       state.last_status = entity.vehicle->status();
       state.was_on_ground = state.last_status.on_ground;
     }
-    record_event(now, i, active ? "joined" : "left",
-                 fmt::format("{} {}", entity.name,
-                             active ? "takes part" : "no longer takes part"));
+    records_.event(now, i, active ? "joined" : "left",
+                   fmt::format("{} {}", entity.name,
+                               active ? "takes part" : "no longer takes part"));
   }
 }
 
@@ -225,7 +185,7 @@ void Stepper::update_parts(Time now) {
     vehicle_events_.clear();
     vehicle->take_events(vehicle_events_);
     for (VehicleEvent& event : vehicle_events_)
-      record_event(now, i, std::move(event.kind), std::move(event.text));
+      records_.event(now, i, std::move(event.kind), std::move(event.text));
   }
 }
 
@@ -278,7 +238,7 @@ void Stepper::record_memory() {
   memory_events_.clear();
   world_.memory->take_news(observations_, memory_events_);
   for (const ObservationRecord& each : observations_) recorder_.record(each);
-  for (const Event& each : memory_events_) record_event(each);
+  for (const Event& each : memory_events_) records_.event(each);
 }
 
 void Stepper::think(Time now) {
@@ -329,8 +289,8 @@ void Stepper::exchange(Time now) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     AgentOutput& output = states_[i].output;
     send(now, i);
-    for (const Event& event : output.events) record_event(event);
-    for (const AgentRecord& said : output.records) record_agent(now, i, said);
+    for (const Event& event : output.events) records_.event(event);
+    for (const AgentRecord& said : output.records) records_.agent(now, i, said);
     if (auto path = std::exchange(states_[i].path, std::nullopt))
       recorder_.record(FlightPathRecord{now, id_of(i), *std::move(path)});
     output.outbox.clear();
@@ -343,7 +303,7 @@ void Stepper::exchange(Time now) {
                        states_[i].active && (!vehicle || vehicle->link_works()));
   }
   receive(now);
-  if (now > Time() && due(now, options_.radio_period)) record_radios(now);
+  if (now > Time() && due(now, options_.radio_period)) records_.radios(states_, now);
 }
 
 void Stepper::send(Time now, std::size_t i) {
@@ -378,13 +338,13 @@ void Stepper::send(const Message& message, bool works) {
   if (works)
     world_.radio->send(message);
   else
-    record_message({message, LossCause::kLinkDown}, message.sent);
+    records_.message({message, LossCause::kLinkDown}, message.sent);
 }
 
 void Stepper::receive(Time now) {
   news_.clear();
   world_.radio->deliver(now, news_);
-  for (const Event& event : news_.events) record_event(event);
+  for (const Event& event : news_.events) records_.event(event);
   for (MessageOutcome& outcome : news_.ended) {
     Message& message = outcome.message;
     const bool known =
@@ -394,35 +354,11 @@ void Stepper::receive(Time now) {
       if (!known) outcome.cause = LossCause::kNobody;
       if (vehicle && !vehicle->link_works()) outcome.cause = LossCause::kLinkDown;
     }
-    record_message(outcome, now);
+    records_.message(outcome, now);
     if (outcome.cause != LossCause::kNone) continue;
     if (vehicle && world_.entities[message.from.value].kind == "station")
       vehicle->ground_received(now);
     states_[message.to.value].inbox.push_back(std::move(message));
-  }
-}
-
-void Stepper::record_radios(Time now) {
-  radios_recorded_ = now;
-  lost_before_ = std::exchange(lost_, 0);
-  const RadioStatistics statistics = world_.radio->take_statistics();
-  for (std::size_t i = 0; i < statistics.radios.size() && i < states_.size(); ++i) {
-    if (!states_[i].active) continue;
-    const RadioUse& use = statistics.radios[i];
-    air_ = i == 0 ? use.load() : std::max(air_.value_or(0), use.load());
-    recorder_.record(RadioUseRecord{now, id_of(i), use});
-  }
-  for (const LinkUse& use : statistics.links) recorder_.record(LinkUseRecord{now, use});
-}
-
-void Stepper::record_vehicles(Time now) {
-  if (!due(now, options_.record_period)) return;
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    const Vehicle* vehicle = world_.entities[i].vehicle.get();
-    if (!states_[i].active || !vehicle) continue;
-    if (const VehicleState* truth = vehicle->truth())
-      recorder_.record(TruthRecord{now, id_of(i), *truth});
-    recorder_.record(EstimateRecord{id_of(i), vehicle->estimate(), vehicle->status()});
   }
 }
 
@@ -448,7 +384,7 @@ void Stepper::record_accidents(Time now) {
     vehicle_events_.clear();
     vehicle->take_events(vehicle_events_);
     for (VehicleEvent& event : vehicle_events_)
-      record_event(now, i, std::move(event.kind), std::move(event.text));
+      records_.event(now, i, std::move(event.kind), std::move(event.text));
   }
 }
 
@@ -466,187 +402,14 @@ void Stepper::watch_separation(Time now) {
     }
   }
   separation_.look(now);
-  record_separation();
-}
-
-void Stepper::record_separation() {
-  for (const SeparationLossRecord& loss : separation_.begun()) {
-    const Event event{
-        loss.begun, loss.id, "separation-lost",
-        fmt::format("{} and {} are {:.1f} m beside and {:.1f} m above each other; {:g} m "
-                    "or {:g} m are required ({})",
-                    name_of_entity(loss.id), name_of_entity(loss.other), loss.horizontal,
-                    loss.vertical, loss.required_horizontal, loss.required_vertical,
-                    name_of(loss.phase))};
-    // Where nobody keeps apart it is no news.
-    if (separation_.keeps_apart(loss.id) || separation_.keeps_apart(loss.other))
-      record_event(event);
-    else
-      record_quietly(event);
-  }
-  for (const SeparationLossRecord& loss : separation_.over()) {
-    recorder_.record(loss);
-    record_quietly(
-        {loss.time, loss.id,
-         loss.over ? "separation-restored" : "separation-not-restored",
-         fmt::format("{} and {}: least distance {:.1f} m, ratio {:.2f} at {:.1f} s ({})",
-                     name_of_entity(loss.id), name_of_entity(loss.other), loss.distance,
-                     loss.ratio, loss.closest.seconds(), name_of(loss.phase))});
-  }
+  records_.separation(separation_);
 }
 
 // What autopilots do by themselves: modes and failsafes, take-offs and landings.
 void Stepper::record_status_changes(Time now) {
   for (std::size_t i = 0; i < states_.size(); ++i)
     if (states_[i].active && world_.entities[i].vehicle && !states_[i].lost)
-      record_status_changes(now, i);
-}
-
-void Stepper::record_status_changes(Time now, std::size_t i) {
-  EntityState& state = states_[i];
-  const AutopilotStatus& status = state.status;
-  const AutopilotStatus& last = state.last_status;
-  if (status.mode != last.mode)
-    record_event(now, i, "mode", std::string(name_of(status.mode)));
-  // A reaction without a trigger is no failsafe: somebody else flies it.
-  const bool acts = status.trigger != FailsafeTrigger::kNone;
-  if (status.trigger != last.trigger || (acts && status.reaction != last.reaction))
-    record_event(now, i, "failsafe", acts ? failsafe_text(status) : "over");
-  record_sensor_changes(now, i);
-  if (status.refusals > last.refusals)
-    if (auto text =
-            state.refusals.report(now, status.refusals - last.refusals, status.refused))
-      record_event(now, i, "refused", *std::move(text));
-  if (status.on_ground != state.was_on_ground)
-    record_event(now, i, status.on_ground ? "landed" : "took-off",
-                 fmt::format("{} {} the ground", world_.entities[i].name,
-                             status.on_ground ? "stands on" : "has left"));
-  state.was_on_ground = status.on_ground;
-  state.last_status = status;
-}
-
-// Flight sensors that an autopilot misses, receives again, or has replaced by a spare.
-void Stepper::record_sensor_changes(Time now, std::size_t i) {
-  const AutopilotStatus& status = states_[i].status;
-  const AutopilotStatus& last = states_[i].last_status;
-  if (status.lost_sensors == last.lost_sensors && status.units == last.units) return;
-  for (std::size_t k = 0; k < kFlightSensors; ++k) {
-    const auto sensor = static_cast<FlightSensor>(k);
-    const bool lost = (status.lost_sensors >> k & 1u) != 0;
-    if (lost != ((last.lost_sensors >> k & 1u) != 0))
-      record_event(now, i, lost ? "sensor-lost" : "sensor-back",
-                   lost ? fmt::format("{}: {}", name_of(sensor), instead_of(sensor))
-                        : std::string(name_of(sensor)));
-    if (status.units[k] != last.units[k])
-      record_event(
-          now, i, "sensor-switched",
-          fmt::format("{}: flies by number {}", name_of(sensor), status.units[k] + 1));
-  }
-}
-
-void Stepper::record_agent(Time now, std::size_t i, const AgentRecord& said) {
-  struct Maker {
-    Stepper& stepper;
-    Time now;
-    EntityId agent;
-    Record operator()(const FireReading& reading) { return reading; }
-    Record operator()(const Crossing& crossing) { return crossing; }
-    Record operator()(const ZoneChange& change) { return ZoneRecord{now, change}; }
-    Record operator()(const PerimeterBelief& belief) {
-      stepper.sigma_ = rms_sigma(belief.boundary);
-      const auto& all = stepper.world_.phenomena;
-      return PerimeterRecord{now,
-                             agent,
-                             belief.phenomenon < all.size()
-                                 ? all[belief.phenomenon]->region()
-                                 : geo::Region(),
-                             belief.boundary,
-                             belief.mission,
-                             belief.phenomenon};
-    }
-    Record operator()(const PerimeterForecast& forecast) {
-      return ForecastRecord{agent, forecast};
-    }
-    Record operator()(const ArrivalForecast& forecast) {
-      return ArrivalRecord{agent, forecast};
-    }
-    Record operator()(const ObjectBelief& belief) {
-      return ObjectBeliefRecord{now, agent, belief};
-    }
-    Record operator()(const MissionChange& change) {
-      return MissionRecord{now, agent, change};
-    }
-    Record operator()(const PluginRecord& record) { return record; }
-    Record operator()(const MissionProgress& progress) {
-      return MissionProgressRecord{now, agent, progress};
-    }
-    Record operator()(const ConflictReport& report) {
-      return ConflictRecord{now, agent, report};
-    }
-    Record operator()(const TeamLead& lead) { return TeamLeadRecord{now, agent, lead}; }
-    Record operator()(const TeamAllocationReport& report) {
-      return TeamAllocationRecord{now, agent, report};
-    }
-    Record operator()(const TeamTaskReport& report) {
-      return TeamTaskRecord{now, agent, report};
-    }
-    Record operator()(const TrafficBelief& belief) {
-      return TrafficBeliefRecord{now, agent, belief};
-    }
-    Record operator()(const TrafficAlert& alert) {
-      return AlertRecord{now, agent, alert};
-    }
-    Record operator()(const FlightBands& bands) { return BandRecord{now, agent, bands}; }
-    Record operator()(const Recommendation& recommendation) {
-      return RecommendationRecord{now, agent, recommendation};
-    }
-    Record operator()(const PlannerChange& change) {
-      return PlannerRecord{now, agent, change};
-    }
-    Record operator()(const TaskReason& reason) {
-      return TaskReasonRecord{now, agent, reason};
-    }
-  };
-  recorder_.record(std::visit(Maker{*this, now, id_of(i)}, said));
-}
-
-void Stepper::record_message(const MessageOutcome& outcome, Time ended) {
-  const Message& message = outcome.message;
-  const auto* team = std::get_if<TeamMessage>(&message.content);
-  const bool arrived = outcome.cause == LossCause::kNone;
-  const bool lost = !arrived && outcome.cause != LossCause::kPending;
-  if (lost && !message.forged) ++lost_;
-  std::optional<Time> read;
-  if (arrived) {
-    // The first step of its receiver's agent from now on; this step's is over.
-    const Time period = world_.entities[message.to.value].agent_period;
-    read = period * (ended.ns() / period.ns() + 1);
-  }
-  recorder_.record(
-      MessageRecord{message, ended, static_cast<std::uint32_t>(coded_size(message)), lost,
-                    team ? std::string(kind_of(team->content)) : std::string(),
-                    message.copy, outcome.cause, outcome.way, message.forged, read});
-}
-
-void Stepper::record_event(Time now, std::size_t i, std::string kind, std::string text) {
-  record_event({now, id_of(i), std::move(kind), std::move(text)});
-}
-
-std::string_view Stepper::name_of_entity(EntityId id) const {
-  return id.value < world_.entities.size()
-             ? std::string_view(world_.entities[id.value].name)
-             : std::string_view("?");
-}
-
-void Stepper::record_event(const Event& event) {
-  record_quietly(event);
-  if (is_announced(event)) announcements_.push_back(event);
-}
-
-void Stepper::record_quietly(const Event& event) {
-  log_info("{:.1f} s, {}: {}: {}", event.time.seconds(), name_of_entity(event.entity),
-           event.kind, event.text);
-  recorder_.record(event);
+      records_.status_changes(now, i, states_[i]);
 }
 
 }  // namespace skein::simulation

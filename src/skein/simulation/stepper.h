@@ -10,39 +10,19 @@
 #include <vector>
 
 #include "skein/base/result.h"
-#include "skein/data/vehicle/agent_step.h"
 #include "skein/role/radio.h"
 #include "skein/role/recorder.h"
 #include "skein/role/vehicle.h"
-#include "skein/simulation/flight_ahead.h"
+#include "skein/simulation/entity_state.h"
 #include "skein/simulation/object_motions.h"
 #include "skein/simulation/payload_tap.h"
-#include "skein/simulation/refusals.h"
 #include "skein/simulation/run.h"
 #include "skein/simulation/separation_monitor.h"
+#include "skein/simulation/step_recorder.h"
 #include "skein/simulation/traffic_motions.h"
 #include "skein/simulation/world.h"
 
 namespace skein::simulation {
-
-/// What an entity keeps between the phases of a step.
-struct EntityState {
-  bool active = false;
-  std::optional<bool> commanded_active;  ///< an operator's word on it
-  PayloadSamples payload;                ///< until the agent reads it
-  std::size_t fresh = 0;                 ///< samples of this step begin here
-  std::vector<Message> inbox;
-  std::vector<Command> commands;
-  AgentOutput output;
-  std::uint64_t sent = 0;          ///< messages
-  AutopilotStatus status;          ///< at the end of the last step
-  bool lost = false;               ///< the same
-  AutopilotStatus last_status;     ///< whose changes have been recorded
-  bool was_on_ground = false;      ///< the same
-  Refusals refusals;               ///< the same
-  FlightAhead ahead;               ///< as its agent has commanded it
-  std::optional<FlightPath> path;  ///< to be recorded
-};
 
 /// One run: the world, what is between the phases of a step, and where it is recorded.
 ///
@@ -53,7 +33,7 @@ class Stepper {
   Stepper(World& world, const RunOptions& options, Recorder& recorder);
 
   /// Records what exists. Before the first step.
-  void introduce();
+  void introduce() { records_.introduce(); }
 
   /// Takes a command that counts from `now` on, and records it. Those that steer the
   /// clock are the caller's to obey.
@@ -69,11 +49,13 @@ class Stepper {
   void finish();
 
   /// Events since the last call that an operator is to know of at once.
-  std::vector<Event> take_announcements() { return std::exchange(announcements_, {}); }
-  std::string_view name_of_entity(EntityId id) const;
+  std::vector<Event> take_announcements() { return records_.take_announcements(); }
+  std::string_view name_of_entity(EntityId id) const {
+    return records_.name_of_entity(id);
+  }
 
   /// The key figure of the newest belief, in a few words; empty without one.
-  std::string headline() const;
+  std::string headline() const { return records_.headline(); }
 
  private:
   void move_objects(Time now);
@@ -92,20 +74,10 @@ class Stepper {
   void send_to_all(Message message, bool works);
   void send(const Message& message, bool works);
   void receive(Time now);
-  void record_radios(Time now);
-  void record_vehicles(Time now);
   void advance(Time now, Time until);
   void record_accidents(Time now);
   void watch_separation(Time now);
-  void record_separation();
   void record_status_changes(Time now);
-  void record_status_changes(Time now, std::size_t i);
-  void record_sensor_changes(Time now, std::size_t i);
-  void record_agent(Time now, std::size_t i, const AgentRecord& said);
-  void record_message(const MessageOutcome& outcome, Time ended);
-  void record_event(Time now, std::size_t i, std::string kind, std::string text);
-  void record_event(const Event& event);
-  void record_quietly(const Event& event);
   std::optional<std::size_t> find(const std::string& aircraft) const;
   bool is_station(const std::string& name) const;
   bool will_take_part(std::size_t i, Time now) const;
@@ -117,6 +89,7 @@ class Stepper {
   World& world_;
   const RunOptions& options_;
   Recorder& recorder_;
+  StepRecorder records_;
   oneapi::tbb::task_arena arena_;
   ObjectMotions objects_;
   std::vector<Vec3> aircraft_places_, physical_places_;
@@ -131,12 +104,7 @@ class Stepper {
   RadioNews news_;
   std::vector<VehicleEvent> vehicle_events_;
   std::vector<VehicleReport> vehicle_reports_;
-  std::vector<Event> announcements_;
-  std::optional<double> sigma_;  // root mean square, of the newest belief [m]
-  std::optional<double> air_;    // load of the fullest radio in the last radio period
-  std::size_t lost_ = 0;         // messages in this radio period
-  std::size_t lost_before_ = 0;  // in the last one
-  Time last_step_, radios_recorded_;
+  Time last_step_;
 };
 
 }  // namespace skein::simulation

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "skein/assemble/kinds/interface_version.h"
 #include "skein/assemble/kinds/aircraft_fit.h"
+#include "skein/assemble/kinds/interface_version.h"
 #include "skein/assemble/kinds/kinds_of.h"
 #include "skein/assemble/kinds/remote_kind.h"
 #include "skein/assemble/kinds/sampling.h"
