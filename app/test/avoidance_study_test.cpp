@@ -111,16 +111,15 @@ TEST_F(AvoidanceStudy, KeepsTheRecordsOfEachCase) {
 TEST_F(AvoidanceStudy, SaysWhatIsWrong) {
   write("pair.csv", kPair);
   write("bad.csv", std::string(kEncounter) + "e1,0,0\n");
-  const auto expect = [&](std::vector<std::string> more, const std::string& part,
-                          int status = 2) {
+  const auto expect = [&](std::vector<std::string> more, const std::string& part) {
     std::vector<std::string> arguments = {"study", "avoidance", "--out", "r.csv"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Finished done = run(arguments);
-    EXPECT_EQ(done.status, status) << part;
+    EXPECT_EQ(done.status, 2) << part;
     EXPECT_NE(done.err.find(part), std::string::npos) << done.err;
   };
   expect({}, "needs --cases");
-  expect({"--cases", "none.csv"}, "none.csv", 1);
+  expect({"--cases", "none.csv"}, "none.csv");
   expect({"--cases", "bad.csv"}, "bad.csv:3");
   expect({"--cases", "pair.csv", "--tracks", "eyes"}, "--tracks");
   expect({"--cases", "pair.csv", "--method", "luck"}, "--method");
