@@ -307,7 +307,8 @@ Command add_export(CLI::App& program) {
                    "tracks or zones.")
       ->required()
       ->check(CLI::IsMember({"perimeter", "bands", "prediction", "tracks", "zones"}));
-  command->add_option("--at", given->at, "Simulated time in seconds; default: the last.");
+  command->add_option("--at", given->at, "Simulated time in seconds; default: the last.")
+      ->check(number_in(0, 4e6));
   command
       ->add_option("--out", given->out,
                    "The file: .geojson, .kml, .gpkg (GeoPackage) or .shp (shapefile).")

@@ -71,5 +71,16 @@ TEST_F(Program, ExportsWhatARunKnowsForAMap) {
   EXPECT_TRUE(fs::exists(folder_ / "p.dbf"));
 }
 
+TEST_F(Program, ExportRefusesTimesThatAreNone) {
+  write("s.yaml", "duration_s: 2\naircraft: [{count: 1}]\n");
+  ASSERT_EQ(run({"run", "s.yaml", "--out", "r"}).status, 0);
+  for (const char* at : {"nan", "1e10", "-1", "inf"}) {
+    const Finished done =
+        run({"export", "r", "--what", "tracks", "--at", at, "--out", "t.geojson"});
+    EXPECT_EQ(done.status, 2) << at;
+    EXPECT_NE(done.err.find("a number from 0 to 4e+06"), std::string::npos) << done.err;
+  }
+}
+
 }  // namespace
 }  // namespace skein::app

@@ -15,7 +15,7 @@
 namespace skein::simulation {
 namespace {
 
-EntityId id_of(std::size_t index) {
+EntityId entity_at(std::size_t index) {
   return EntityId{static_cast<std::uint32_t>(index)};
 }
 
@@ -43,7 +43,7 @@ std::optional<double> rms_sigma(const BoundaryEstimate& belief) {
 
 void StepRecorder::introduce() {
   for (std::size_t i = 0; i < world_.entities.size(); ++i)
-    recorder_.record(EntityRecord{id_of(i), world_.entities[i].name,
+    recorder_.record(EntityRecord{entity_at(i), world_.entities[i].name,
                                   world_.entities[i].kind, world_.entities[i].reality});
   for (const WorldObject& each : world_.objects) {
     recorder_.record(each.object);
@@ -59,8 +59,9 @@ void StepRecorder::vehicles(std::span<const EntityState> states, Time now) {
     const Vehicle* vehicle = world_.entities[i].vehicle.get();
     if (!states[i].active || !vehicle) continue;
     if (const VehicleState* truth = vehicle->truth())
-      recorder_.record(TruthRecord{now, id_of(i), *truth});
-    recorder_.record(EstimateRecord{id_of(i), vehicle->estimate(), vehicle->status()});
+      recorder_.record(TruthRecord{now, entity_at(i), *truth});
+    recorder_.record(
+        EstimateRecord{entity_at(i), vehicle->estimate(), vehicle->status()});
   }
 }
 
@@ -72,7 +73,7 @@ void StepRecorder::radios(std::span<const EntityState> states, Time now) {
     if (!states[i].active) continue;
     const RadioUse& use = statistics.radios[i];
     air_ = i == 0 ? use.load() : std::max(air_.value_or(0), use.load());
-    recorder_.record(RadioUseRecord{now, id_of(i), use});
+    recorder_.record(RadioUseRecord{now, entity_at(i), use});
   }
   for (const LinkUse& use : statistics.links) recorder_.record(LinkUseRecord{now, use});
 }
@@ -140,7 +141,7 @@ void StepRecorder::agent(Time now, std::size_t i, const AgentRecord& said) {
       return TaskReasonRecord{now, agent, reason};
     }
   };
-  recorder_.record(std::visit(Maker{*this, now, id_of(i)}, said));
+  recorder_.record(std::visit(Maker{*this, now, entity_at(i)}, said));
 }
 
 void StepRecorder::message(const MessageOutcome& outcome, Time ended) {
@@ -227,7 +228,7 @@ void StepRecorder::sensor_changes(Time now, std::size_t i, const EntityState& st
 }
 
 void StepRecorder::event(Time now, std::size_t i, std::string kind, std::string text) {
-  event({now, id_of(i), std::move(kind), std::move(text)});
+  event({now, entity_at(i), std::move(kind), std::move(text)});
 }
 
 void StepRecorder::event(const Event& event) {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <atomic>
+#include <chrono>
+#include <csignal>
 #include <thread>
 
 #include "skein/base/output_file.h"
@@ -45,6 +48,45 @@ TEST_F(InputFile, MayBeAPipe) {
   std::thread writer([&] { EXPECT_TRUE(write_file(pipe, std::string_view(text))); });
   EXPECT_EQ(read_file(pipe).value(), text);
   writer.join();
+}
+
+TEST_F(InputFile, OpenedAsAStreamMayBeAPipe) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { EXPECT_TRUE(write_file(pipe, std::string_view("a\nb\n"))); });
+  auto in = open_input(pipe);
+  writer.join();
+  ASSERT_TRUE(in) << in.error().text();
+  std::string line;
+  std::getline(in.value(), line);
+  std::getline(in.value(), line);
+  EXPECT_EQ(line, "b");
+}
+
+// Nobody writes to it: a signal ends the wait.
+TEST_F(InputFile, APipeWithoutAWriterIsLeftByASignal) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::signal(SIGUSR1, [](int) {});
+  for (const bool stream : {false, true}) {
+    std::atomic<bool> over = false;
+    std::thread reader([&] {
+      const auto error = stream ? open_input(pipe).error() : read_file(pipe).error();
+      EXPECT_EQ(error.code, ErrorCode::kUnavailable);
+      EXPECT_NE(error.text().find("until a signal came"), std::string::npos);
+      over = true;
+    });
+    while (!over) {
+      pthread_kill(reader.native_handle(), SIGUSR1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    reader.join();
+  }
+  std::signal(SIGUSR1, SIG_DFL);
+}
+
+TEST_F(InputFile, ATextThatIsKeptTakesNoMoreThanItHas) {
+  EXPECT_LT(read_file(written("12345")).value().capacity(), 64u);
 }
 
 TEST_F(InputFile, ThatIsAFolderIsRefused) {

@@ -281,9 +281,20 @@ Result<std::vector<MapFeature>> read_map(const std::string& file,
   if (const std::string ending = geo::small_ending(file);
       ending == ".plan" || ending == ".mission")
     return read_plan_file(file, frame, warnings);
+  // GDAL's own names for archives and places of the network are not for others to give;
+  // what tests keep in memory is.
+  if (file.starts_with("/vsi") && !file.starts_with("/vsimem/"))
+    return Error{ErrorCode::kBadInput, file, "is a name of GDAL's, not of a file.",
+                 "Give the file itself; a .zip is read as it is."};
   std::error_code none;
-  if (!file.starts_with("/vsi") && !std::filesystem::exists(file, none))
-    return Error{ErrorCode::kNotFound, file, "is not there.", ""};
+  const auto kind = std::filesystem::status(file, none).type();
+  if (!file.starts_with("/vsimem/")) {
+    if (kind == std::filesystem::file_type::not_found)
+      return Error{ErrorCode::kNotFound, file, "is not there.", ""};
+    if (kind != std::filesystem::file_type::regular &&
+        kind != std::filesystem::file_type::directory)
+      return Error{ErrorCode::kBadInput, file, "is no regular file.", ""};
+  }
   return Reader(file, frame, warnings).read();
 }
 

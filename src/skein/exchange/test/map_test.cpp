@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Maps as people draw them, and as nobody should.
+#include <arpa/inet.h>
 #include <cpl_vsi.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
 
+#include "skein/exchange/gis/map_features.h"
 #include "skein/exchange/gis/zones.h"
 #include "skein/exchange/table/writers.h"
 
@@ -323,6 +328,37 @@ TEST(MapFiles, PlacesBeyondTheHorizonAreFarNotNear) {
   EXPECT_NE(error_of_map(collection(feature("Point", "[-166,-50]")), &here)
                 .find("km from the origin"),
             std::string::npos);
+}
+
+// A map may not choose whom this machine asks: a server that waits sees nobody.
+TEST(MapTest, NothingIsFetchedFromTheNetwork) {
+  const int server = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0);
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  ASSERT_EQ(::bind(server, reinterpret_cast<sockaddr*>(&place), sizeof place), 0);
+  ASSERT_EQ(::listen(server, 4), 0);
+  socklen_t size = sizeof place;
+  ASSERT_EQ(::getsockname(server, reinterpret_cast<sockaddr*>(&place), &size), 0);
+  const std::string host = fmt::format("127.0.0.1:{}", ntohs(place.sin_port));
+  const MapFile linked(
+      "linked.geojson",
+      fmt::format(R"({{"type":"FeatureCollection","crs":{{"type":"link","properties":)"
+                  R"({{"href":"http://{}/crs","type":"proj4"}}}},"features":[{}]}})",
+                  host, feature("Polygon", "[[[7,50],[7.01,50],[7.01,50.01],[7,50]]]")));
+  std::vector<std::string> warnings;
+  EXPECT_FALSE(read_map(linked.name, nullptr, warnings));
+  for (const std::string& name :
+       {"/vsicurl/http://" + host + "/a.geojson",
+        "/vsicurl?url=http%3A%2F%2F" + host + "%2Fa.geojson",
+        "/vsizip//vsicurl/http://" + host + "/a.zip", "/vsis3/" + host + "/a.geojson"}) {
+    const auto map = read_map(name, nullptr, warnings);
+    ASSERT_FALSE(map) << name;
+    EXPECT_NE(map.error().text().find("is a name of GDAL's"), std::string::npos)
+        << map.error().text();
+  }
+  EXPECT_EQ(::accept(server, nullptr, nullptr), -1) << "somebody asked";
+  ::close(server);
 }
 
 }  // namespace

@@ -372,7 +372,7 @@ void AutopilotClient::hear_clock(Time boot, Time now) {
 
 void AutopilotClient::hear_answer(const mavlink::Timesync& answer, Time now) {
   const Time sent = Time::from_ns(answer.ts1), there = Time::from_ns(answer.tc1);
-  if (sent <= now && now - sent < kTripWait) {
+  if (sent <= now && sent > now - kTripWait) {
     trip_ = (now - sent).seconds();
     commands_.set_round_trip(now - sent);
   }

@@ -48,7 +48,7 @@ Result<void> check_owner_alone(int descriptor, const std::string& file) {
 }  // namespace
 
 Result<AccessTable> read_token_file(const std::string& file) {
-  const OpenTokens tokens{::open(file.c_str(), O_RDONLY | O_CLOEXEC)};
+  const OpenTokens tokens{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   if (tokens.descriptor < 0)
     return Error{
         ErrorCode::kNotFound, file,
