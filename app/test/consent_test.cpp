@@ -103,30 +103,43 @@ class Consent : public Program {
   // What is done with a scenario, a campaign and the folder of a run, by every command
   // that takes one. A new command belongs here, or below.
   static std::map<std::string, std::vector<Words>> with_scenarios() {
-    return {
-        {"run",
-         {{"run", "evil.yaml", "--out", "out"},
-          {"run", "evil-run/scenario.yaml", "--out", "out"},
-          {"run", "--replay", "evil-run", "--out", "out"}}},
-        {"check",
-         {{"check", "evil.yaml"},
-          {"check", "evil.yaml", "--print"},
-          {"check", "evil-run/scenario.yaml"}}},
-        {"agent", {{"agent", "evil.yaml", "--entity", "mine-1", "--for", "1"}}},
-        {"campaign",
-         {{"campaign", "campaign.yaml", "--out", "out"},
-          {"campaign", "changing.yaml", "--out", "out", "--scenarios"}}},
-        {"study",
-         {{"study", "tuning", "--seeds", "1", "--set", "duration_s=1", "--out", "out"}}},
-        {"report", {{"report", "evil-run"}}},
-        {"export",
-         {{"export", "evil-run", "--what", "tracks", "--out", "tracks.geojson"}}},
-        {"replay", {{"replay", "evil-run", "--serve", "0"}}}};
+    return {{"run",
+             {{"run", "evil.yaml", "--out", "out"},
+              {"run", "evil-run/scenario.yaml", "--out", "out"},
+              {"run", "--replay", "evil-run", "--out", "out"}}},
+            {"check",
+             {{"check", "evil.yaml"},
+              {"check", "evil.yaml", "--print"},
+              {"check", "evil-run/scenario.yaml"}}},
+            {"agent", {{"agent", "evil.yaml", "--entity", "mine-1", "--for", "1"}}},
+            {"campaign",
+             {{"campaign", "campaign.yaml", "--out", "out"},
+              {"campaign", "changing.yaml", "--out", "out", "--scenarios"}}},
+            {"study", studies()},
+            {"team", {{"team", "messages", "evil-run", "--out", "out"}}},
+            {"report", {{"report", "evil-run"}}},
+            {"export",
+             {{"export", "evil-run", "--what", "tracks", "--out", "tracks.geojson"}}},
+            {"replay", {{"replay", "evil-run", "--serve", "0"}}}};
   }
-  // Commands that take neither scenarios nor runs.
+  // Studies that fly a scenario which is shipped.
+  static std::vector<Words> studies() {
+    std::vector<Words> all;
+    for (const char* name : {"tuning", "monitoring", "bridge", "fidelity", "robustness",
+                             "wind-following", "ground-starts", "keeping"})
+      all.push_back(
+          {"study", name, "--seeds", "1", "--set", "duration_s=1", "--out", "out"});
+    return all;
+  }
+  // Those that read what was recorded of a scenario, and never the scenario itself.
+  static bool reads_records(const std::string& command) {
+    return command == "report" || command == "export" || command == "replay" ||
+           command == "team";
+  }
+  // Commands that take neither scenarios nor runs; `fire` writes a scenario.
   static Words without_scenarios() {
-    return {"list", "schema", "keys",    "fly",  "plan", "avoid",     "fire",
-            "link", "relay",  "vehicle", "team", "net",  "completion"};
+    return {"list", "schema", "keys",  "fly",     "plan", "avoid",
+            "fire", "link",   "relay", "vehicle", "net",  "completion"};
   }
 
   void expect_nothing_runs(const std::string& scenario, const std::string& changing) {
@@ -135,15 +148,23 @@ class Consent : public Program {
     write("plain.yaml", "name: plain\nduration_s: 2\n");
     write("changing.yaml", campaign("plain.yaml", changing));
     fs::create_directories(folder_ / "scenarios");
-    for (const char* shipped : {"tuning.yaml", "wildfire.yaml", "thesis-no-wind.yaml"})
+    for (const char* shipped :
+         {"tuning.yaml", "wildfire.yaml", "thesis-no-wind.yaml", "bridge-fire.yaml",
+          "robustness.yaml", "wind-following.yaml", "ground-starts.yaml", "keeping.yaml"})
       write(std::string("scenarios/") + shipped, scenario);
     run_of("evil-run", scenario);
     for (const auto& [command, uses] : with_scenarios())
       for (const Words& use : uses) {
         std::string text;
         for (const std::string& word : use) text += " " + word;
-        attempt(use);
+        const Finished done = attempt(use);
         EXPECT_FALSE(was_run()) << "by skein" << text;
+        if (!reads_records(command)) {
+          EXPECT_NE(done.status, 0) << "skein" << text;
+          EXPECT_NE(done.err.find("--trust"), std::string::npos)
+              << "skein" << text << "\n"
+              << done.err;
+        }
         fs::remove_all(folder_ / "out");
       }
   }

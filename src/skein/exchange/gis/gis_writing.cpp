@@ -225,6 +225,10 @@ Result<void> write_gis(const std::vector<GisFeature>& features, const std::strin
                  "Allowed: .geojson, .kml, .gpkg, .shp."};
   const auto place = output_place(file);
   if (!place) return place.error();
+  if (place.value() != OutputPlace::kReplaced && file.extension() == ".shp")
+    return Error{ErrorCode::kBadInput, file.string(),
+                 "is no regular file, and a shapefile is several.",
+                 "Write a .gpkg, .geojson or .kml there, or the shapefile elsewhere."};
   // In a folder beside it first: what others read is always whole. Beside a device
   // nothing is made.
   const fs::path target = fs::absolute(file).parent_path();

@@ -2,6 +2,7 @@
 #include "skein/exchange/gis/gis_writing.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -77,6 +78,14 @@ TEST_F(GisWriting, LinesAndSeveralFeaturesToo) {
   ASSERT_EQ(read.value().size(), 2u);
   EXPECT_EQ(read.value()[1].points.size(), 3u);
   EXPECT_LT((read.value()[1].points[2] - Vec2(100, 200)).norm(), 0.02);
+}
+
+TEST_F(GisWriting, AShapefileIsNotWrittenThroughAPipe) {
+  const auto pipe = folder_ / "a.shp";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(write_gis({burnt()}, "x", frame_, pipe).error().code, ErrorCode::kBadInput);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1)
+      << "nothing lies beside it";
 }
 
 TEST_F(GisWriting, ReplacesAFileWholeAndRefusesOtherEndings) {
