@@ -14,8 +14,13 @@ namespace {
 // files. Whoever wrote them would choose whom this machine asks.
 CPLHTTPResult* refuse_to_fetch(const char* url, CSLConstList, GDALProgressFunc, void*,
                                CPLHTTPFetchWriteFunc, void*, void*) {
-  CPLError(CE_Failure, CPLE_NotSupported, "%s: nothing is fetched from the network", url);
-  return nullptr;
+  const char* const why = "nothing is fetched from the network";
+  CPLError(CE_Failure, CPLE_NotSupported, "%s: %s", url, why);
+  // None at all would mean that GDAL's own fetcher is to try.
+  auto* failed = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
+  failed->nStatus = 1;
+  failed->pszErrBuf = CPLStrdup(why);
+  return failed;
 }
 
 void stay_off_the_network() {
