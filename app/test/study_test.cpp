@@ -156,13 +156,16 @@ TEST_F(Program, EachStudyHasHelpWithItsOwnOptionsOnly) {
     const std::string name = line.substr(0, line.find(' '));
     const Finished help = run({"study", name, "--help"});
     EXPECT_EQ(help.status, 0) << name;
-    for (const char* option : {"--gains", "--nodes", "--method", "--updates", "--data"})
-      if (help.out.find(option) != std::string::npos)
-        EXPECT_EQ(name, option == std::string("--gains")     ? "tuning"
-                        : option == std::string("--nodes")   ? "network"
-                        : option == std::string("--method")  ? "avoidance"
-                        : option == std::string("--updates") ? "estimators"
-                                                             : "bridge");
+    // Options that one study alone has.
+    for (const auto& [option, owner] :
+         std::map<std::string, std::string>{{"--gains", "tuning"},
+                                            {"--nodes", "network"},
+                                            {"--method", "avoidance"},
+                                            {"--updates", "estimators"},
+                                            {"--data", "bridge"}}) {
+      EXPECT_EQ(help.out.find(option) != std::string::npos, name == owner)
+          << name << " " << option;
+    }
   }
   EXPECT_EQ(studies, 11);
 }
