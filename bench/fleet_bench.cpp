@@ -45,12 +45,6 @@ class Stopwatch final : public Recorder {
   std::vector<std::clock_t> at_;
 };
 
-class Quiet final : public OperatorConsole {
- public:
-  void show(const RunProgress&) override {}
-  bool stop_requested() const override { return false; }
-};
-
 constexpr int kStart = 2;  // until then aircraft join and get their routes [s]
 
 // Time that the processor spends on each second of flight after the start [s].
@@ -73,9 +67,8 @@ std::vector<double> run_fleet(const std::string& plant, const std::string& senso
   if (!built) throw std::runtime_error(built.error().text());
   built.value().options.threads = 1;
   Stopwatch stopwatch;
-  Quiet console;
-  (void)simulation::run(built.value().world, built.value().options, stopwatch, console)
-      .value();
+  simulation::Run run(built.value().world, built.value().options, stopwatch);
+  if (auto done = run.run_to_end(); !done) throw std::runtime_error(done.error().text());
   return stopwatch.seconds(kStart);
 }
 

@@ -52,12 +52,6 @@ class Touches final : public Recorder {
   }
 };
 
-class Quiet final : public OperatorConsole {
- public:
-  void show(const RunProgress&) override {}
-  bool stop_requested() const override { return false; }
-};
-
 void landing(benchmark::State& state, const char* aircraft, double wind,
              const char* turbulence, double distance) {
   const std::string text = fmt::format(
@@ -79,9 +73,9 @@ void landing(benchmark::State& state, const char* aircraft, double wind,
     auto built = assemble::build(*read.scenario, assemble::KindRegistry());
     if (!built) throw std::runtime_error(built.error().text());
     Touches touches;
-    Quiet console;
-    (void)simulation::run(built.value().world, built.value().options, touches, console)
-        .value();
+    simulation::Run run(built.value().world, built.value().options, touches);
+    if (auto done = run.run_to_end(); !done)
+      throw std::runtime_error(done.error().text());
     double sum = 0, max = 0, resting = 0, accidents = 0, toppled = 0;
     for (const auto& [id, one] : touches.all) {
       accidents += one.broke && !one.rests;

@@ -196,6 +196,7 @@ Result<void> set_clock(assemble::Build& ready, double speed,
                        const RunArguments& arguments, bool again) {
   // Who watches sees it in real time, unless asked otherwise.
   ready.options.speed = arguments.serve && arguments.speed.empty() ? 1 : speed;
+  ready.options.real_time_only = ready.mixed;
   if (!ready.mixed || again) return {};
   if (!arguments.speed.empty() && speed != 1)
     return Error{ErrorCode::kBadInput, "--speed " + arguments.speed,
@@ -203,7 +204,6 @@ Result<void> set_clock(assemble::Build& ready, double speed,
                  "and so must the run.",
                  "Leave --speed out, or give --speed real."};
   ready.options.speed = 1;
-  ready.options.real_time_only = true;
   return {};
 }
 

@@ -119,10 +119,8 @@ scenario::Scenario alone(const scenario::Scenario& scenario,
 }
 
 // Takes down how the task goes; the end of it is the end of the run.
-class PreviewRecorder final : public Recorder, public OperatorConsole {
+class PreviewRecorder final : public Recorder {
  public:
-  explicit PreviewRecorder(const std::atomic<bool>& stop) : stop_(stop) {}
-
   void record(const Record& record) override {
     if (const auto* estimate = std::get_if<EstimateRecord>(&record))
       take(*estimate);
@@ -133,8 +131,7 @@ class PreviewRecorder final : public Recorder, public OperatorConsole {
     if (!ended_) now_ = time;
     return {};
   }
-  void show(const RunProgress&) override {}
-  bool stop_requested() const override { return ended_ || stop_; }
+  bool ended() const { return ended_; }
 
   TaskPreview answer() && {
     preview_.duration = now_.seconds();
@@ -182,7 +179,6 @@ class PreviewRecorder final : public Recorder, public OperatorConsole {
     points.resize(kept);
   }
 
-  const std::atomic<bool>& stop_;
   TaskPreview preview_;
   double first_charge_ = 1;
   Time now_;
@@ -208,11 +204,11 @@ TaskPreview preview_task(const scenario::Scenario& scenario,
   auto built = assemble::build(alone(scenario, *group, kinds.table(), order), kinds);
   if (!built) return impossible(built.error().text());
   assemble::Build& ready = built.value();
-  ready.options.speed = 0;
   ready.options.threads = 1;
-  PreviewRecorder recorder(stop);
-  const auto outcome = simulation::run(ready.world, ready.options, recorder, recorder);
-  if (!outcome) return impossible(outcome.error().text());
+  PreviewRecorder recorder;
+  simulation::Run run(ready.world, ready.options, recorder);
+  while (!run.over() && !recorder.ended() && !stop)
+    if (auto stepped = run.step(); !stepped) return impossible(stepped.error().text());
   TaskPreview preview = std::move(recorder).answer();
   preview.charge_left = std::max(0.0, order.now.charge - preview.charge);
   return preview;

@@ -19,6 +19,7 @@ namespace skein::simulation {
 /// What an entity keeps between the phases of a step.
 struct EntityState {
   bool active = false;
+  bool begun = false;                    ///< it has been active
   std::optional<bool> commanded_active;  ///< an operator's word on it
   PayloadSamples payload;                ///< until the agent reads it
   std::size_t fresh = 0;                 ///< samples of this step begin here

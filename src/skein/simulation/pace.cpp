@@ -11,10 +11,11 @@ constexpr double kLongestNap = 0.05;  // a person does not notice this delay [s]
 
 }  // namespace
 
-Pace::Pace(double speed, Time step)
+Pace::Pace(double speed, Time step, Time begun)
     : speed_(speed),
       step_(step),
       step_wall_s_(speed > 0 ? step.seconds() / speed : 0),
+      origin_(begun),
       start_(Clock::now()),
       last_show_(start_) {}
 

@@ -14,7 +14,8 @@ namespace skein::simulation {
 class Pace {
  public:
   /// @param speed  simulated seconds per wall second; 0 = never waits.
-  Pace(double speed, Time step);
+  /// @param begun  the simulated time of now.
+  Pace(double speed, Time step, Time begun);
 
   /// Sleeps until `now` is due, or until the operator asks to stop: looked at every 50
   /// ms. Counts a miss when `now` was due more than a step ago.

@@ -164,6 +164,7 @@ void Stepper::update_presence(Time now) {
     const bool active = will_take_part(i, now);
     if (active == state.active) continue;
     state.active = active;
+    state.begun = true;
     state.inbox.clear();
     if (active && entity.vehicle) {
       entity.vehicle->begin(surroundings(i), now);

@@ -16,7 +16,7 @@
 #include "skein/simulation/entity_state.h"
 #include "skein/simulation/object_motions.h"
 #include "skein/simulation/payload_tap.h"
-#include "skein/simulation/run.h"
+#include "skein/simulation/run_options.h"
 #include "skein/simulation/separation_monitor.h"
 #include "skein/simulation/step_recorder.h"
 #include "skein/simulation/traffic_motions.h"
@@ -37,10 +37,8 @@ class Stepper {
 
   /// Takes a command that counts from `now` on, and records it. Those that steer the
   /// clock are the caller's to obey.
-  void command(Time now, std::string sender, const Command& command);
-
-  /// Records that a command cannot be obeyed, and why.
-  void refuse(Time now, const std::string& why);
+  /// Fails: kBadInput when it cannot be obeyed, which is recorded too.
+  Result<void> command(Time now, std::string sender, const Command& command);
 
   /// Moves the world from `now` to the next step.
   Result<void> step(Time now);
@@ -53,6 +51,9 @@ class Stepper {
   std::string_view name_of_entity(EntityId id) const {
     return records_.name_of_entity(id);
   }
+
+  /// Whether an entity takes part, or has done so.
+  bool has_begun(EntityId id) const { return states_[id.value].begun; }
 
   /// The key figure of the newest belief, in a few words; empty without one.
   std::string headline() const { return records_.headline(); }
@@ -82,6 +83,7 @@ class Stepper {
   bool is_station(const std::string& name) const;
   bool will_take_part(std::size_t i, Time now) const;
   void obey(Time now, const Command& command);
+  void refuse(Time now, const std::string& why);
   template <class Body>
   void for_each(Body body);  // body(i) for every entity
   Surroundings surroundings(std::size_t i) const;
@@ -105,6 +107,7 @@ class Stepper {
   std::vector<VehicleEvent> vehicle_events_;
   std::vector<VehicleReport> vehicle_reports_;
   Time last_step_;
+  std::optional<std::string> refusal_;  // why the last command cannot be obeyed
 };
 
 }  // namespace skein::simulation

@@ -10,9 +10,12 @@
 
 namespace skein::simulation {
 
-void Stepper::command(Time now, std::string sender, const Command& command) {
+Result<void> Stepper::command(Time now, std::string sender, const Command& command) {
   recorder_.record(CommandRecord{now, std::move(sender), command});
+  refusal_.reset();
   obey(now, command);
+  if (!refusal_) return {};
+  return Error{ErrorCode::kBadInput, std::string(kind_of(command)), *refusal_, ""};
 }
 
 std::optional<std::size_t> Stepper::find(const std::string& aircraft) const {
@@ -28,6 +31,7 @@ bool Stepper::is_station(const std::string& name) const {
 }
 
 void Stepper::refuse(Time now, const std::string& why) {
+  refusal_ = why;
   records_.event({now, EntityId{}, "command-refused", why});
 }
 
@@ -75,10 +79,15 @@ void Stepper::obey(Time now, const Command& command) {
         return run.refuse(now, fmt::format("there is no station \"{}\".", c.station));
       pass_on_to_stations();
     }
-    // The clock is the run loop's.
+    // The clock is of whoever steps.
     void operator()(const PauseCommand&) const {}
     void operator()(const StepCommand&) const {}
-    void operator()(const SpeedCommand&) const {}
+    void operator()(const SpeedCommand& c) const {
+      if (run.options_.real_time_only && c.factor != 1)
+        run.refuse(now,
+                   "aircraft that are not simulated fly in real time: no other speed can "
+                   "be had.");
+    }
     void operator()(const FaultCommand& c) const {
       with_aircraft(c.aircraft, [&](std::size_t i) {
         Vehicle& vehicle = *run.world_.entities[i].vehicle;
@@ -97,7 +106,7 @@ void Stepper::obey(Time now, const Command& command) {
     void operator()(const RefusedCommand& c) const {
       if (const auto i = run.find(c.aircraft))
         return run.records_.event(now, *i, "command-refused", c.text);
-      run.refuse(now, c.text);
+      run.records_.event({now, EntityId{}, "command-refused", c.text});
     }
     void operator()(const WindCommand& c) const {
       run.world_.wind->set_added({c.added.x(), c.added.y(), 0});

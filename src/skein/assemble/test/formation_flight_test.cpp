@@ -42,14 +42,13 @@ std::string crowd() {
          group("quad", "multirotor", 17) + "\n";
 }
 
-TEST(WholeFleet, GivesTheSameBytesWithAnyNumberOfThreadsAndAnySpeed) {
+TEST(WholeFleet, GivesTheSameBytesWithAnyNumberOfThreadsAndOfStepsAtOnce) {
   const FlightLog one = fly(crowd());
   EXPECT_NE(one.find("failure"), nullptr);
   EXPECT_NE(one.find("failsafe"), nullptr);
   for (const int threads : {2, 4})
     EXPECT_EQ(fly(crowd(), {{}, threads}).hash(), one.hash()) << threads;
-  // Paced runs wait for the clock on the wall: 0.4 s of it.
-  EXPECT_EQ(fly(crowd(), {{}, 2, 100}).hash(), one.hash());
+  EXPECT_EQ(fly(crowd(), {{}, 2, 7}).hash(), one.hash());
 }
 
 std::string file(const std::string& name) {

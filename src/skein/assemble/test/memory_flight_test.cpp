@@ -111,7 +111,7 @@ aircraft:
 TEST(MemoryFlight, IsTheSameForAnyNumberOfThreads) {
   const std::string scenario = kLine + group("scout", 0, "    physical: true\n", 20) +
                                group("late", -500, "    observes: both\n", 20);
-  const FlightLog one = fly(scenario), three = fly(scenario, {{}, 3, 0});
+  const FlightLog one = fly(scenario), three = fly(scenario, {{}, 3});
   EXPECT_GT(one.figure("memory_observations"), 20);
   EXPECT_GT(one.figure("memory_refused"), 20);
   EXPECT_EQ(one.hash(), three.hash());

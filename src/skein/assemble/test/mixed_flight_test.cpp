@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "skein/assemble/world/build.h"
+#include "skein/assemble/world/run.h"
 #include "skein/link/vehicle_links/test/stand_ins.h"
 #include "skein/link/vehicle_links/vehicle_feed.h"
 #include "skein/role/operator_console.h"
@@ -86,12 +87,9 @@ TEST(MixedFlight, AFireSensorWorksWhileTheLinkIsGoodAndIsSilentWhenThePositionIs
   const EntityId far{1};
   auto built = build(scenario, kinds, said(far));
   ASSERT_TRUE(built.ok()) << built.error().text();
-  built.value().options.speed = 0;
   Readings readings;
-  Silent console;
-  const auto run =
-      simulation::run(built.value().world, built.value().options, readings, console);
-  ASSERT_TRUE(run.ok());
+  simulation::Run run(built.value().world, built.value().options, readings);
+  ASSERT_TRUE(run.run_to_end().ok());
   const auto count = [&](double from, double until, bool inside) {
     return std::count_if(
         readings.all.begin(), readings.all.end(), [&](const FireReading& r) {
@@ -138,10 +136,9 @@ TEST(MixedFlight, AnAircraftElsewhereIsSentWhatItsScenarioAsksFor) {
   std::thread thread([&] { far.run(std::chrono::milliseconds(4500)); });
   built.value().options.speed = 1;
   Silent console;
-  const auto run = simulation::run(built.value().world, built.value().options,
-                                   *built.value().feed, console);
+  const auto done = run_linked(built.value(), nullptr, console);
   thread.join();
-  ASSERT_TRUE(run.ok());
+  ASSERT_TRUE(done.ok());
   EXPECT_GE(far.heard.size(), 16u);  // two aircraft, 5 times a second
   for (const StandIns::Heard& each : far.heard)
     EXPECT_TRUE(each.what.ICAO_address == vehicle_links::icao_address("near-1") ||

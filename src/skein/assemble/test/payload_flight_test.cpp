@@ -48,7 +48,7 @@ TEST(PayloadFlight, IsTheSameForAnyNumberOfThreads) {
   scenario.replace(scenario.find("name: scout"), 11, "name: scout\n    count: 40");
   scenario.replace(scenario.find("placement: list, positions_m: [[0, 0]]"), 38,
                    "placement: line, spacing_m: 5");
-  const FlightLog one = fly(scenario), three = fly(scenario, {{}, 3, 0});
+  const FlightLog one = fly(scenario), three = fly(scenario, {{}, 3});
   EXPECT_GT(one.detections.size(), 40u);
   EXPECT_EQ(one.hash(), three.hash());
 }

@@ -9,7 +9,6 @@
 #include "skein/record/figures/statistics.h"
 #include "skein/record/store/content_hash.h"
 #include "skein/role/agent.h"
-#include "skein/role/operator_console.h"
 #include "skein/role/vehicle.h"
 #include "skein/scenario/scenario_file.h"
 #include "skein/simulation/run.h"
@@ -33,12 +32,6 @@ class ScriptedAgent final : public Agent {
  private:
   std::vector<ScriptLine> lines_;
   std::size_t next_ = 0;
-};
-
-class NoConsole final : public OperatorConsole {
- public:
-  void show(const RunProgress&) override {}
-  bool stop_requested() const override { return false; }
 };
 
 }  // namespace
@@ -104,12 +97,11 @@ FlightLog fly(const std::string& text, const Flown& how) {
     for (simulation::Entity& entity : built.value().world.entities)
       if (entity.vehicle) entity.agent = std::make_unique<ScriptedAgent>(how.script);
   built.value().options.threads = how.threads;
-  built.value().options.speed = how.speed;
   FlightLog log;
-  NoConsole console;
-  const auto outcome =
-      simulation::run(built.value().world, built.value().options, log, console);
-  if (!outcome) throw std::runtime_error(outcome.error().text());
+  simulation::Run run(built.value().world, built.value().options, log);
+  while (!run.over())
+    if (auto done = how.ticks > 0 ? run.step(how.ticks) : run.run_to_end(); !done)
+      throw std::runtime_error(done.error().text());
   return log;
 }
 

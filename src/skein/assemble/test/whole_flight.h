@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -79,7 +80,7 @@ struct ScriptLine {
 struct Flown {
   std::vector<ScriptLine> script = {};  ///< of every aircraft; empty: its own agent
   int threads = 1;
-  double speed = 0;
+  std::int64_t ticks = 0;  ///< steps that are made at once; 0: all
 };
 
 /// Runs a scenario given as text. What is wrong with it is an exception: the test fails.

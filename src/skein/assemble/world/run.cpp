@@ -4,15 +4,16 @@
 #include <optional>
 #include <utility>
 
+#include "skein/assemble/world/scenario_run.h"
 #include "skein/link/vehicle_links/linked_console.h"
 #include "skein/link/world_link/agent_parts.h"
 #include "skein/link/world_link/entity_links.h"
-#include "skein/record/store/fan_out.h"
-#include "skein/record/store/summary_recorder.h"
+#include "skein/role/vehicle.h"
 
 namespace skein::assemble {
 namespace {
 
+// Is asked for an end only, and for the commands of another console.
 class QuietConsole : public OperatorConsole {
  public:
   QuietConsole(const std::atomic<bool>* stop, OperatorConsole* source)
@@ -27,6 +28,29 @@ class QuietConsole : public OperatorConsole {
   const std::atomic<bool>* stop_;
   OperatorConsole* source_;
 };
+
+// A console to which the commands of all outside are added.
+class OutsideConsole {
+ public:
+  OutsideConsole(Build& ready, OperatorConsole& console) : all_(&console) {
+    if (ready.feed) all_ = &stations_.emplace(*all_, *ready.feed);
+    if (ready.world_client) all_ = &world_.emplace(*all_, *ready.world_client);
+  }
+  OperatorConsole& all() { return *all_; }
+
+ private:
+  OperatorConsole* all_;
+  std::optional<vehicle_links::LinkedConsole> stations_;
+  std::optional<world_link::WorldConsole> world_;
+};
+
+std::vector<Recorder*> with_outside(const Build& ready, std::vector<Recorder*> more) {
+  std::vector<Recorder*> all;
+  if (ready.feed) all.push_back(ready.feed.get());
+  if (ready.world_feed) all.push_back(ready.world_feed.get());
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
 
 }  // namespace
 
@@ -59,48 +83,52 @@ Result<std::vector<std::string>> open_links(Build& ready) {
   return places;
 }
 
+LinkedRun::LinkedRun(Build& ready, std::vector<Recorder*> recorders)
+    : ready_(ready),
+      listeners_(with_outside(ready, std::move(recorders))),
+      run_(ready.world, ready.options, listeners_) {}
+
+Result<void> LinkedRun::take_commands() {
+  QuietConsole nobody(nullptr, nullptr);
+  OutsideConsole outside(ready_, nobody);
+  for (const CommandRecord& given : outside.all().commands()) {
+    // What cannot be obeyed is an event.
+    const auto obeyed = run_.command(given.sender, given.command);
+    if (!obeyed && run_.over()) return obeyed;
+  }
+  return {};
+}
+
+Result<simulation::RunOutcome> LinkedRun::run_paced(OperatorConsole& console) {
+  OutsideConsole outside(ready_, console);
+  return simulation::run_paced(run_, outside.all());
+}
+
 Result<simulation::RunOutcome> run_linked(Build& ready, Recorder* recorder,
                                           OperatorConsole& console) {
-  std::vector<Recorder*> listeners;
-  if (ready.feed) listeners.push_back(ready.feed.get());
-  if (ready.world_feed) listeners.push_back(ready.world_feed.get());
-  if (listeners.empty())
-    return simulation::run(ready.world, ready.options, *recorder, console);
-  if (recorder) listeners.push_back(recorder);
-  record::FanOut all(std::move(listeners));
-  OperatorConsole* source = &console;
-  std::optional<vehicle_links::LinkedConsole> stations;
-  if (ready.feed) source = &stations.emplace(*source, *ready.feed);
-  std::optional<world_link::WorldConsole> world;
-  if (ready.world_client) source = &world.emplace(*source, *ready.world_client);
-  return simulation::run(ready.world, ready.options, all, *source);
+  std::vector<Recorder*> recorders;
+  if (recorder) recorders.push_back(recorder);
+  return LinkedRun(ready, std::move(recorders)).run_paced(console);
 }
 
 Result<record::RunSummary> run_quietly(const scenario::Scenario& scenario,
                                        const KindRegistry& kinds, const QuietRun& how) {
-  auto built = build(scenario, kinds);
-  if (!built) return built.error();
-  Build& ready = built.value();
-  ready.options.speed = ready.mixed ? 1 : how.speed;
-  ready.options.real_time_only = ready.mixed;
-  ready.options.threads = how.threads;
-  record::SummaryRecorder recorder(
-      {how.version, scenario.seed, scenario.name, how.text, scenario.start_utc});
+  ScenarioRunOptions options;
+  options.version = how.version;
+  options.threads = how.threads;
+  options.speed = how.speed;
+  options.keeps_view = false;
+  options.listener = how.listener;
+  options.prepare = how.prepare;
+  auto opened = ScenarioRun::open(scenario, kinds, options);
+  if (!opened) return opened.error();
+  ScenarioRun& run = *opened.value();
   QuietConsole console(how.stop, how.console);
-  std::vector<Recorder*> listeners = {&recorder};
-  if (how.listener) listeners.push_back(how.listener);
-  record::FanOut all(std::move(listeners));
-  if (auto opened = open_links(ready); !opened) return opened.error();
-  if (how.prepare) how.prepare(ready.world);
-  const auto outcome = run_linked(ready, &all, console);
+  const auto outcome = run.run_paced(console);
   if (!outcome) return outcome.error();
   if (outcome.value().end == simulation::RunOutcome::End::kStopped)
     return Error{ErrorCode::kInterrupted, scenario.name, "stopped before its end.", ""};
-  recorder.set_figure("deadline_misses",
-                      static_cast<double>(outcome.value().deadline_misses));
-  record::RunSummary summary = recorder.summary();
-  summary.warnings = ready.warnings;
-  return summary;
+  return run.summary();
 }
 
 }  // namespace skein::assemble

@@ -9,10 +9,12 @@
 #include "skein/assemble/kinds/kind_registry.h"
 #include "skein/assemble/world/build.h"
 #include "skein/base/result.h"
+#include "skein/record/store/fan_out.h"
 #include "skein/record/store/summary.h"
 #include "skein/role/operator_console.h"
 #include "skein/role/recorder.h"
 #include "skein/scenario/scenario.h"
+#include "skein/simulation/paced_run.h"
 #include "skein/simulation/run.h"
 
 namespace skein::assemble {
@@ -22,22 +24,45 @@ namespace skein::assemble {
 Result<void> check_consent(const Build& ready);
 
 /// Opens the links to whoever takes part from outside, and starts their programs; before
-/// run_linked(), by the same thread.
+/// a LinkedRun is made, by the same thread.
 /// @returns  where servers wait.
 /// Fails: as check_consent(); what cannot be opened or started.
 Result<std::vector<std::string>> open_links(Build& ready);
 
-/// Runs a world with ground stations, or the world that an agent takes part in, as
-/// listeners and givers of commands, if it has any.
-/// @param recorder  null: nothing is recorded; then there are such listeners.
-/// Fails: as simulation::run().
+/// The run of a world that was built. Ground stations, and the world that an agent takes
+/// part in, listen to its records and give it commands, if it has any.
+class LinkedRun {
+ public:
+  /// @param ready      its links are open, unless it is a run that is done again.
+  ///                   Outlives this.
+  /// @param recorders  listeners besides; outlive this, none is null.
+  LinkedRun(Build& ready, std::vector<Recorder*> recorders);
+
+  simulation::Run& run() { return run_; }
+  const simulation::Run& run() const { return run_; }
+
+  /// Takes what was asked for outside since the last call, before the next step; for
+  /// whoever steps. Fails: as simulation::Run::step().
+  Result<void> take_commands();
+
+  /// Steps it by the clock, with what is asked for outside and at a console. Fails: as
+  /// simulation::run_paced().
+  Result<simulation::RunOutcome> run_paced(OperatorConsole& console);
+
+ private:
+  Build& ready_;
+  record::FanOut listeners_;
+  simulation::Run run_;
+};
+
+/// The same of a run that nobody else holds.
+/// @param recorder  null: nothing is recorded; then there are listeners outside.
 Result<simulation::RunOutcome> run_linked(Build& ready, Recorder* recorder,
                                           OperatorConsole& console);
 
 /// How a run without records of its own is done.
 struct QuietRun {
   std::string version;  ///< of the program, for the summary
-  std::string text;     ///< the scenario with all defaults, for the summary; may be empty
   double speed = 0;     ///< simulated seconds per wall second; 0 = as fast as possible
   int threads = 1;
   const std::atomic<bool>* stop = nullptr;  ///< asks for an early end; may be null
@@ -49,7 +74,7 @@ struct QuietRun {
 
 /// Builds a scenario, runs it and gives its key figures; writes nothing. One that goes by
 /// the wall clock is run in real time, whatever its speed is to be.
-/// Fails: as build(), open_links() and simulation::run(); kInterrupted when stopped
+/// Fails: as ScenarioRun::open() and simulation::run_paced(); kInterrupted when stopped
 /// early.
 Result<record::RunSummary> run_quietly(const scenario::Scenario& scenario,
                                        const KindRegistry& kinds, const QuietRun& how);

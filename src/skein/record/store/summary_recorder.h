@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "skein/record/figures/statistics.h"
 #include "skein/record/store/content_hash.h"
@@ -20,6 +21,9 @@ class SummaryRecorder final : public Recorder {
 
   /// Sets one more number of the summary, such as `deadline_misses`.
   void set_figure(const std::string& name, double value) { extra_[name] = value; }
+
+  /// Of all so far.
+  std::string content_hash() const { return hash_.hex(); }
 
   /// The key figures of all so far.
   RunSummary summary(bool interrupted = false) const;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/simulation/paced_run.h"
 #include "skein/simulation/test/gliders.h"
 
 namespace skein::simulation::commands_test {
@@ -66,7 +67,7 @@ TEST(Run, PassesCommandsOnToGroundStationsAndRecordsThem) {
   ZoneNotes notes;
   Operator console;
   console.plan[10] = {ZoneChange{0, true, {.area = Disc{{0, 0}, 50}, .name = "drawn"}}};
-  ASSERT_TRUE(run(world, seconds(3), notes, console).ok());
+  ASSERT_TRUE(run_paced(world, seconds(3), notes, console).ok());
   // Asked at 0.9 s, thought of at the station's next step; aircraft get nothing of it.
   EXPECT_EQ(notes.zones, "0.0 true known;1.0 true drawn;");
   EXPECT_NE(notes.kinds.find("command"), std::string::npos);
@@ -82,7 +83,7 @@ TEST(Run, AnOrderThatWasRefusedIsAnEventOfItsAircraft) {
   Notes notes;
   Operator console;
   console.plan[5] = {RefusedCommand{name, "not signed"}, RefusedCommand{"", "for all"}};
-  ASSERT_TRUE(run(world, seconds(2), notes, console).ok());
+  ASSERT_TRUE(run_paced(world, seconds(2), notes, console).ok());
   EXPECT_NE(notes.text.find(" 1 command-refused not signed;"), std::string::npos)
       << notes.text;
   EXPECT_NE(notes.text.find(" command-refused for all;"), std::string::npos);
@@ -95,7 +96,7 @@ TEST(Run, WhatIsCommandedBeforeTheFirstStepReachesStationsToo) {
   ZoneNotes notes;
   Operator console;
   console.plan[1] = {ZoneChange{0, true, {.area = Disc{{0, 0}, 50}, .name = "first"}}};
-  ASSERT_TRUE(run(world, seconds(1), notes, console).ok());
+  ASSERT_TRUE(run_paced(world, seconds(1), notes, console).ok());
   EXPECT_EQ(notes.zones, "0.0 true first;");
 }
 
@@ -108,7 +109,7 @@ TEST(Run, APausedRunStandsStillAndMakesTheStepsThatAreAskedFor) {
   console.plan[14] = {StepCommand{3}};
   console.plan[20] = {PauseCommand{false}};
   RunOptions options = seconds(3);
-  ASSERT_TRUE(run(world, options, notes, console).ok());
+  ASSERT_TRUE(run_paced(world, options, notes, console).ok());
   ASSERT_EQ(notes.commands.size(), 3u);
   EXPECT_EQ(notes.commands[0].time, Time::from_seconds(1.0));
   EXPECT_EQ(notes.commands[1].time, Time::from_seconds(1.0));
@@ -123,7 +124,7 @@ TEST(Run, CommandsOfARecordedRunGiveTheSameRecordsAgain) {
           parts.breakable = {{VehicleFault::Kind::kLink, 0, {}, {}, "link"}};
         });
     world.entities[2].active.clear();
-    ASSERT_TRUE(run(world, options, notes, console).ok());
+    ASSERT_TRUE(run_paced(world, options, notes, console).ok());
   };
   Notes first, second;
   Operator console, nobody;

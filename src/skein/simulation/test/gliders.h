@@ -206,6 +206,11 @@ inline World make_world(int count, Time delay = Time(), double climb = 0,
   return world;
 }
 
+/// From the first step to the last.
+inline Result<void> run_to_end(World& world, const RunOptions& options, Recorder& recorder) {
+  return Run(world, options, recorder).run_to_end();
+}
+
 inline RunOptions seconds(double duration, int threads = 1) {
   RunOptions options;
   options.duration = Time::from_seconds(duration);

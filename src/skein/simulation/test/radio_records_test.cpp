@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/simulation/run.h"
+#include "skein/simulation/paced_run.h"
 #include "skein/simulation/test/gliders.h"
 
 namespace skein::simulation::radio_records_test {
@@ -79,14 +79,14 @@ class RadioOfARun : public testing::Test {
 
 TEST_F(RadioOfARun, IsToldWhoTakesPart) {
   world.entities[1].active = {{Time::from_seconds(0.2), Time::from_seconds(0.4)}};
-  ASSERT_TRUE(run(world, until(0.5), notes, console).ok());
+  ASSERT_TRUE(run_paced(world, until(0.5), notes, console).ok());
   EXPECT_EQ(on[0], "111111");
   EXPECT_EQ(on[1], "001100");
 }
 
 TEST_F(RadioOfARun, WhatIsOnItsWayInTheEndIsRecordedAsPending) {
   console.stop_after = 11;  // steps: the last is at 1 s
-  ASSERT_TRUE(run(world, until(5), notes, console).ok());
+  ASSERT_TRUE(run_paced(world, until(5), notes, console).ok());
   ASSERT_EQ(notes.messages.size(), 2 * 3u);
   for (const MessageRecord& each : notes.messages) {
     EXPECT_EQ(each.cause, LossCause::kPending);
@@ -96,7 +96,7 @@ TEST_F(RadioOfARun, WhatIsOnItsWayInTheEndIsRecordedAsPending) {
 }
 
 TEST_F(RadioOfARun, IsRecordedAfterEachPeriodAndInTheEnd) {
-  ASSERT_TRUE(run(world, until(2.5), notes, console).ok());
+  ASSERT_TRUE(run_paced(world, until(2.5), notes, console).ok());
   EXPECT_EQ(notes.uses, (std::vector<double>{1, 1, 2, 2, 2.5, 2.5}));
   EXPECT_NE(console.last.find("air 63 %, 0 lost"), std::string::npos) << console.last;
 }

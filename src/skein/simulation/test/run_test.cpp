@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <cstdint>
 #include <new>
 #include <string>
+#include <utility>
 
 #include "skein/simulation/test/gliders.h"
 
@@ -17,10 +18,7 @@ using namespace test;
 TEST(Run, RecordsAtItsRateAndDeliversMessages) {
   World world = make_world(2);
   Notes notes;
-  Silent console;
-  const auto outcome = run(world, seconds(10), notes, console);
-  ASSERT_TRUE(outcome.ok());
-  EXPECT_EQ(outcome.value().end, RunOutcome::End::kDone);
+  ASSERT_TRUE(run_to_end(world, seconds(10), notes).ok());
   EXPECT_EQ(notes.truths, 2 * 101);
   EXPECT_EQ(notes.messages, 2 * 21);
   EXPECT_EQ(notes.crossings, 2) << "each reports one, recorded once";
@@ -32,8 +30,7 @@ TEST(Run, IsTheSameForAnyNumberOfThreads) {
   for (const int threads : {1, 2, 4}) {
     World world = make_world(100, Time::from_seconds(0.3));
     Notes notes;
-    Silent console;
-    ASSERT_TRUE(run(world, seconds(5, threads), notes, console).ok());
+      ASSERT_TRUE(run_to_end(world, seconds(5, threads), notes).ok());
     if (first.empty()) first = notes.text;
     EXPECT_EQ(notes.text, first) << threads << " threads";
   }
@@ -66,8 +63,7 @@ TEST(Run, MessagesToAllAreCopiedUnlessTheRadioKnowsWhoTheyAre) {
     // Of the others the agent's own program knows nothing.
     world.entities[2].active.clear();
     Notes notes;
-    Silent console;
-    ASSERT_TRUE(run(world, seconds(5), notes, console).ok());
+      ASSERT_TRUE(run_to_end(world, seconds(5), notes).ok());
     EXPECT_EQ(messages, 2 * 11u) << "each half second two speak, to one other";
   }
 }
@@ -77,8 +73,7 @@ TEST(Run, EntitiesJoinAndLeave) {
   world.entities[1].active = {{Time::from_seconds(1), Time::from_seconds(2)},
                               {Time::from_seconds(3), Time::from_seconds(4)}};
   Notes notes;
-  Silent console;
-  ASSERT_TRUE(run(world, seconds(5), notes, console).ok());
+  ASSERT_TRUE(run_to_end(world, seconds(5), notes).ok());
   EXPECT_EQ(notes.kinds, "joined joined left joined left ");
   EXPECT_EQ(notes.truths, 51 + 20);
 }
@@ -88,29 +83,16 @@ TEST(Run, AnAircraftThatHitsTheGroundEndsAsAnAccident) {
     if (i == 0) parts.state.p_N.z() = -1000;
   });
   Notes notes;
-  Silent console;
-  ASSERT_TRUE(run(world, seconds(10), notes, console).ok());
+  ASSERT_TRUE(run_to_end(world, seconds(10), notes).ok());
   EXPECT_NE(notes.text.find("1 accident"), std::string::npos);
   EXPECT_EQ(notes.text.find("0 accident"), std::string::npos);
-}
-
-TEST(Run, StopsCleanlyWhenAsked) {
-  World world = make_world(1);
-  Notes notes;
-  Silent console;
-  console.stop_after = 30;
-  const auto outcome = run(world, seconds(10), notes, console);
-  ASSERT_TRUE(outcome.ok());
-  EXPECT_EQ(outcome.value().end, RunOutcome::End::kStopped);
-  EXPECT_EQ(notes.truths, 30);
 }
 
 TEST(Run, ReportsARecorderThatFails) {
   World world = make_world(1);
   Notes notes;
   notes.full_at = Time::from_seconds(2);
-  Silent console;
-  const auto outcome = run(world, seconds(10), notes, console);
+  const auto outcome = run_to_end(world, seconds(10), notes);
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.error().code, ErrorCode::kUnavailable);
   EXPECT_EQ(outcome.error().text(), "disk: it is full (at 2.000 s of simulated time).");
@@ -128,8 +110,7 @@ TEST(Run, SaysWhenMemoryRanOut) {
   World world = make_world(1);
   world.phenomena.front() = std::make_unique<Hungry>();
   Notes notes;
-  Silent console;
-  const auto outcome = run(world, seconds(10), notes, console);
+  const auto outcome = run_to_end(world, seconds(10), notes);
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.error().code, ErrorCode::kUnavailable);
   EXPECT_NE(outcome.error().message.find("not enough memory (at 3.000 s"),
@@ -149,8 +130,7 @@ TEST(Run, SaysWhenSkeinItselfHasABug) {
   World world = make_world(1);
   world.phenomena.front() = std::make_unique<Faulty>();
   Notes notes;
-  Silent console;
-  const auto outcome = run(world, seconds(10), notes, console);
+  const auto outcome = run_to_end(world, seconds(10), notes);
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.error().code, ErrorCode::kInternal);
   const std::string text = outcome.error().text();
@@ -161,51 +141,194 @@ TEST(Run, SaysWhenSkeinItselfHasABug) {
       << text;
 }
 
-// Asks to stop from a moment of the wall clock on.
-class Impatient : public OperatorConsole {
- public:
-  void show(const RunProgress&) override {}
-  bool stop_requested() const override { return Clock::now() >= stop_; }
+// The records of a run of 5 s that is moved by `move`.
+template <class Move>
+std::string moved(Move move, RunOptions options = seconds(5)) {
+  World world = make_world(3, Time::from_seconds(0.3));
+  Notes notes;
+  simulation::Run run(world, std::move(options), notes);
+  move(run);
+  EXPECT_TRUE(run.completed());
+  return notes.text;
+}
 
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point stop_ = Clock::now() + std::chrono::milliseconds(300);
-};
+TEST(Run, IsTheSameHoweverManyStepsAreMadeAtOnce) {
+  const auto by_steps = [](std::int64_t ticks) {
+    return moved([ticks](simulation::Run& run) {
+      while (!run.over()) ASSERT_TRUE(run.step(ticks).ok());
+    });
+  };
+  const std::string all = moved([](simulation::Run& run) { ASSERT_TRUE(run.run_to_end().ok()); });
+  EXPECT_EQ(by_steps(1), all);
+  EXPECT_EQ(by_steps(7), all);
+  EXPECT_EQ(by_steps(1000), all);
+  EXPECT_EQ(moved([](simulation::Run& run) {
+              // Between two steps, too.
+              for (double t = 0; !run.over(); t += 0.77)
+                ASSERT_TRUE(run.run_until(Time::from_seconds(t)).ok());
+            }),
+            all);
+}
 
-TEST(Run, StopsAtOnceWhenASlowPaceSleeps) {
+TEST(Run, MakesTheStepsThatBeginBeforeATime) {
   World world = make_world(1);
   Notes notes;
-  Impatient console;
-  RunOptions options = seconds(10);
-  options.speed = 0.001;  // a step every 100 s
-  const auto begun = std::chrono::steady_clock::now();
-  const auto outcome = run(world, options, notes, console);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-  ASSERT_TRUE(outcome.ok());
-  EXPECT_EQ(outcome.value().end, RunOutcome::End::kStopped);
-  EXPECT_EQ(notes.truths, 1) << "the step that was not yet due is not done";
-  EXPECT_LT(took.count(), 50) << "not at the end of the step";
+  simulation::Run run(world, seconds(5), notes);
+  ASSERT_TRUE(run.run_until(Time::from_seconds(1)).ok());
+  EXPECT_EQ(run.now(), Time::from_seconds(1));
+  EXPECT_EQ(notes.truths, 10);
+  ASSERT_TRUE(run.run_until(run.now()).ok());
+  EXPECT_EQ(run.now(), Time::from_seconds(1));
+  ASSERT_TRUE(run.run_until(Time::from_seconds(1.01)).ok());
+  EXPECT_EQ(run.now(), Time::from_seconds(1.1));
+  ASSERT_TRUE(run.run_until(Time::from_seconds(1e6)).ok());
+  EXPECT_TRUE(run.completed());
+  EXPECT_EQ(run.simulated(), Time::from_seconds(5));
+}
+
+TEST(Run, ACommandBetweenStepsIsThatOfTheOptions) {
+  const CommandRecord wind{Time::from_seconds(2), "scenario", WindCommand{{3, 4}}};
+  const CommandRecord left{Time::from_seconds(2), "scenario", RemoveCommand{"a1"}};
+  const CommandRecord nobody{Time::from_seconds(2), "scenario", RemoveCommand{"a9"}};
+  RunOptions options = seconds(5);
+  options.commands = {wind, left, nobody};
+  const std::string planned =
+      moved([](simulation::Run& run) { ASSERT_TRUE(run.run_to_end().ok()); }, options);
+  const std::string given = moved([&](simulation::Run& run) {
+    ASSERT_TRUE(run.run_until(wind.time).ok());
+    EXPECT_TRUE(run.command(wind.sender, wind.command).ok());
+    EXPECT_TRUE(run.command(left.sender, left.command).ok());
+    EXPECT_FALSE(run.command(nobody.sender, nobody.command).ok());
+    ASSERT_TRUE(run.run_to_end().ok());
+  });
+  EXPECT_EQ(given, planned);
+  EXPECT_NE(given.find("command-refused"), std::string::npos);
+  // What the options have for a time comes before what is given then.
+  options.commands = {wind};
+  const std::string mixed = moved(
+      [&](simulation::Run& run) {
+        ASSERT_TRUE(run.run_until(wind.time).ok());
+        EXPECT_TRUE(run.command(left.sender, left.command).ok());
+        EXPECT_FALSE(run.command(nobody.sender, nobody.command).ok());
+        ASSERT_TRUE(run.run_to_end().ok());
+      },
+      options);
+  EXPECT_EQ(mixed, planned);
+}
+
+TEST(Run, TwoInOneProcessAreWhatEachIsAlone) {
+  const std::string alone = moved([](simulation::Run& run) { ASSERT_TRUE(run.run_to_end().ok()); });
+  World first = make_world(3, Time::from_seconds(0.3));
+  World second = make_world(3, Time::from_seconds(0.3));
+  Notes first_notes, second_notes;
+  simulation::Run one(first, seconds(5), first_notes), other(second, seconds(5), second_notes);
+  while (!one.over()) {
+    ASSERT_TRUE(one.step(3).ok());
+    if (!other.over()) {
+      ASSERT_TRUE(other.step(5).ok());
+    }
+  }
+  EXPECT_EQ(first_notes.text, alone);
+  EXPECT_EQ(second_notes.text, alone);
+}
+
+TEST(Run, AnswersWhatIsAsked) {
+  World world = make_world(2);
+  world.entities[1].active = {{Time::from_seconds(1), Time::from_seconds(100)}};
+  Notes notes;
+  RunOptions options = seconds(5);
+  options.keeps_view = true;
+  simulation::Run run(world, options, notes);
+  const auto first = run.find("a0");
+  const auto second = run.find("a1");
+  ASSERT_TRUE(first.ok() && second.ok());
+  const auto nobody = run.find("a7");
+  ASSERT_FALSE(nobody.ok());
+  EXPECT_EQ(nobody.error().text(),
+            "a7: is no aircraft or station of the run; it has: a0, a1.");
+  EXPECT_FALSE(run.truth(EntityId{7}) || run.estimate(EntityId{7}));
+  ASSERT_TRUE(run.truth(first.value()));
+  EXPECT_EQ(run.truth(first.value())->p_N.x(), 0);
+  EXPECT_FALSE(run.estimate(first.value()) || run.status(first.value()));
+
+  ASSERT_TRUE(run.run_until(Time::from_seconds(1)).ok());
+  EXPECT_NEAR(run.truth(first.value())->p_N.x(), 20, 1e-9);
+  EXPECT_TRUE(run.estimate(first.value()) && run.status(first.value()));
+  EXPECT_FALSE(run.estimate(second.value())) << "it joins in the next step";
+  const auto names = [&run] {
+    std::string kinds;
+    for (const Event& event : run.take_events()) kinds += event.kind + " ";
+    return kinds;
+  };
+  EXPECT_EQ(names(), "joined heard heard ");
+  EXPECT_EQ(names(), "");
+}
+
+TEST(Run, SaysWhatCannotBeAskedOfIt) {
+  World world = make_world(1);
+  Notes notes;
+  simulation::Run run(world, seconds(1), notes);
+  EXPECT_EQ(run.step(-1).error().text(), "-1 steps cannot be made: time goes on only.");
+  EXPECT_EQ(run.command("me", FaultCommand{"b", "link", true}).error().text(),
+            "fault: there is no aircraft \"b\".");
+  ASSERT_TRUE(run.run_until(Time::from_seconds(0.5)).ok());
+  EXPECT_EQ(run.run_until(Time::from_seconds(0.2)).error().text(),
+            "0.200 s are past: the run has come to 0.500 s.");
+  ASSERT_TRUE(run.run_to_end().ok());
+  ASSERT_TRUE(run.run_to_end().ok()) << "there is nothing left to do";
+  EXPECT_EQ(run.step().error().text(),
+            "the run is over: it ended at 1.000 s of simulated time. Open it again to "
+            "have it once more.");
+  const std::string before = notes.text;
+  EXPECT_FALSE(run.command("me", WindCommand{{1, 0}}).ok());
+  EXPECT_TRUE(run.finish().ok());
+  EXPECT_EQ(notes.text, before) << "nothing is recorded any more";
+}
+
+TEST(Run, EndsWhenItIsFinishedBefore) {
+  World world = make_world(1);
+  Notes notes;
+  simulation::Run run(world, seconds(10), notes);
+  ASSERT_TRUE(run.step(20).ok());
+  ASSERT_TRUE(run.finish().ok());
+  EXPECT_TRUE(run.over());
+  EXPECT_FALSE(run.completed());
+  EXPECT_EQ(run.simulated(), Time::from_seconds(2));
+  EXPECT_FALSE(run.step().ok());
+  EXPECT_FALSE(run.run_to_end().ok());
+}
+
+TEST(Run, AFailureIsFoundAgainAtEveryCall) {
+  World world = make_world(1);
+  Notes notes;
+  notes.full_at = Time::from_seconds(2);
+  simulation::Run run(world, seconds(10), notes);
+  const std::string why = "disk: it is full (at 2.000 s of simulated time).";
+  EXPECT_EQ(run.step(100).error().text(), why);
+  EXPECT_TRUE(run.over());
+  EXPECT_EQ(run.step().error().text(), why);
+  EXPECT_EQ(run.command("me", WindCommand{{1, 0}}).error().text(), why);
+  EXPECT_EQ(run.finish().error().text(), why);
+}
+
+TEST(Run, RefusesAnotherSpeedWhereSomebodyFliesByTheWallClock) {
+  World world = make_world(1);
+  Notes notes;
+  RunOptions options = seconds(1);
+  options.real_time_only = true;
+  simulation::Run run(world, options, notes);
+  EXPECT_TRUE(run.command("me", SpeedCommand{1}).ok());
+  EXPECT_FALSE(run.command("me", SpeedCommand{5}).ok());
+  EXPECT_EQ(notes.kinds, "command-refused ");
 }
 
 TEST(Run, TakesNoEntitiesAndNoTime) {
   World world = make_world(0);
   Notes notes;
-  Silent console;
-  const auto outcome = run(world, seconds(0), notes, console);
-  ASSERT_TRUE(outcome.ok());
-  EXPECT_EQ(outcome.value().simulated, Time());
-}
-
-TEST(Run, KeepsPaceWithTheClock) {
-  World world = make_world(1);
-  Notes notes;
-  Silent console;
-  RunOptions options = seconds(2);
-  options.speed = 10;
-  const auto outcome = run(world, options, notes, console);
-  ASSERT_TRUE(outcome.ok());
-  EXPECT_GE(outcome.value().wall_s, 0.2);  // never faster than asked; how much slower
-                                           // depends on the machine
+  simulation::Run run(world, seconds(0), notes);
+  ASSERT_TRUE(run.run_to_end().ok());
+  EXPECT_EQ(run.simulated(), Time());
+  EXPECT_TRUE(run.completed());
 }
 
 }  // namespace

@@ -60,8 +60,7 @@ TEST(Run, AFlightBeginsWhenTheAircraftJoinsAndAgainWhenItReturns) {
   world.entities[0].active = {{Time::from_seconds(1), Time::from_seconds(2)},
                               {Time::from_seconds(5), Time::from_seconds(6)}};
   Notes notes;
-  Silent console;
-  ASSERT_TRUE(run(world, seconds(8), notes, console).ok());
+  ASSERT_TRUE(run_to_end(world, seconds(8), notes).ok());
   ASSERT_EQ(listener->begun.size(), 2u);
   EXPECT_EQ(listener->begun[0].time, Time::from_seconds(1));
   EXPECT_EQ(listener->begun[1].time, Time::from_seconds(5));
@@ -76,8 +75,7 @@ TEST(Run, ASensorThatFailsSpeaksOfNowWhenItIsBack) {
                  listen(&listener, {{VehicleFault::Kind::kSensor, 0,
                                      Time::from_seconds(2), Time::from_seconds(4)}}));
   Notes notes;
-  Silent console;
-  ASSERT_TRUE(run(world, seconds(8), notes, console).ok());
+  ASSERT_TRUE(run_to_end(world, seconds(8), notes).ok());
   EXPECT_NEAR(listener->heard, 82 - 20, 1);
   EXPECT_LT(listener->longest, 0.11) << "not of the whole time of silence";
   EXPECT_EQ(notes.kinds, "joined failure repaired ");
@@ -122,8 +120,7 @@ TEST(Run, RecordsEachPayloadSampleOnceAndByWhichSensor) {
   world.objects.emplace_back(GroundObject{4, "car", ObjectClass::kVehicle},
                              std::make_unique<Bystander>());
   Notes notes;
-  Silent console;
-  ASSERT_TRUE(run(world, seconds(3), notes, console).ok());
+  ASSERT_TRUE(run_to_end(world, seconds(3), notes).ok());
   EXPECT_EQ(notes.objects, "car;");
   // It is moved once a step, to where the aircraft is; a motion that changes in every
   // step is recorded as often as everything else.
@@ -152,8 +149,7 @@ TEST(Run, AFailedLinkLosesMessagesInBothDirections) {
       parts.faults = {{VehicleFault::Kind::kLink, 0, Time(), Time::from_seconds(100)}};
   });
   Notes notes;
-  Silent console;
-  ASSERT_TRUE(run(world, seconds(4), notes, console).ok());
+  ASSERT_TRUE(run_to_end(world, seconds(4), notes).ok());
   EXPECT_EQ(notes.kinds.find("heard"), std::string::npos);
   EXPECT_EQ(notes.text.find("heard"), std::string::npos);
   EXPECT_EQ(notes.messages, 2 * 9) << "lost ones are recorded too";
@@ -164,8 +160,7 @@ TEST(Run, AMotionThatIsNoLongerFiniteEndsThatAircraftOnly) {
     if (i == 1) parts.plant = std::make_shared<Glider>(50);
   });
   Notes notes;
-  Silent console;
-  const auto outcome = run(world, seconds(10), notes, console);
+  const auto outcome = run_to_end(world, seconds(10), notes);
   ASSERT_TRUE(outcome.ok());
   EXPECT_NE(notes.text.find("1 accident the motion of a1 is no longer finite; before it "
                             "was at 50.0 m north"),
