@@ -32,9 +32,8 @@ Run::Run(World& world, RunOptions options, Recorder& recorder)
     : world_(world),
       options_(std::move(options)),
       view_(options_.keeps_view ? std::make_unique<RunView>(recorder) : nullptr),
-      stepper_(std::make_unique<Stepper>(world_, options_,
-                                         view_ ? static_cast<Recorder&>(*view_)
-                                               : recorder)) {
+      stepper_(std::make_unique<Stepper>(
+          world_, options_, view_ ? static_cast<Recorder&>(*view_) : recorder)) {
   stepper_->introduce();
   over_ = options_.duration < Time();
 }

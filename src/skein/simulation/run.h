@@ -30,10 +30,10 @@ class Stepper;
 /// A run that whoever made it holds: it moves when it is stepped, obeys commands in
 /// between, and can be asked. Every run is one of these; run_paced() moves it by a clock.
 ///
-/// A step begins at a multiple of RunOptions::step, from 0 to the duration, both included:
-/// environment -> sensors -> agents -> radio -> autopilots -> plants -> record. Entities
-/// run in parallel inside a phase, each writing only itself; messages are merged in
-/// entity order. So the records depend neither on `threads` nor on who steps, and how
+/// A step begins at a multiple of RunOptions::step, from 0 to the duration, both
+/// included: environment -> sensors -> agents -> radio -> autopilots -> plants -> record.
+/// Entities run in parallel inside a phase, each writing only itself; messages are merged
+/// in entity order. So the records depend neither on `threads` nor on who steps, and how
 /// many steps at once. It looks at no clock on the wall, starts no thread that outlives
 /// step(), and may be dropped at any time; several may be held in one process.
 ///
@@ -101,8 +101,8 @@ class Run {
   /// "?" for who is no entity.
   std::string_view name_of_entity(EntityId id) const;
 
-  /// The true state of an aircraft at now(); none for what is no aircraft, or where nobody
-  /// knows it.
+  /// The true state of an aircraft at now(); none for what is no aircraft, or where
+  /// nobody knows it.
   std::optional<VehicleState> truth(EntityId aircraft) const;
   /// What its autopilot believes and does; none before it takes part, and for what is no
   /// aircraft.

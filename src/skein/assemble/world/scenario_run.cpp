@@ -42,8 +42,8 @@ std::vector<Recorder*> recorders(record::SummaryRecorder& summary, Recorder* lis
 Result<std::unique_ptr<ScenarioRun>> ScenarioRun::open(
     const std::filesystem::path& file, const std::vector<std::string>& set,
     KindRegistry& kinds, const ScenarioRunOptions& options) {
-  const auto read = scenario::read_scenario(file, kinds.table(), overrides_of(set),
-                                            load_into(kinds));
+  const auto read =
+      scenario::read_scenario(file, kinds.table(), overrides_of(set), load_into(kinds));
   if (!read.ok()) return problems_of(read);
   return open(*read.scenario, kinds, options);
 }
@@ -52,8 +52,8 @@ Result<std::unique_ptr<ScenarioRun>> ScenarioRun::open_text(
     std::string_view text, const std::filesystem::path& folder,
     const std::vector<std::string>& set, KindRegistry& kinds,
     const ScenarioRunOptions& options) {
-  const auto read = scenario::read_scenario_text(
-      text, "scenario", folder, kinds.table(), overrides_of(set), load_into(kinds));
+  const auto read = scenario::read_scenario_text(text, "scenario", folder, kinds.table(),
+                                                 overrides_of(set), load_into(kinds));
   if (!read.ok()) return problems_of(read);
   return open(*read.scenario, kinds, options);
 }
@@ -118,8 +118,8 @@ Result<void> ScenarioRun::command(const std::string& sender, std::string_view li
 
 template <class T>
 Result<T> ScenarioRun::of(std::string_view name, const char* missing,
-                          std::optional<T> (simulation::Run::*ask)(EntityId) const)
-    const {
+                          std::optional<T> (simulation::Run::*ask)(EntityId)
+                              const) const {
   const auto id = run().find(name);
   if (!id) return id.error();
   auto answer = (run().*ask)(id.value());

@@ -88,8 +88,8 @@ class ScenarioRun {
   Result<void> run_until(Time time);
   Result<void> run_to_end();
   Result<void> finish() { return linked_.run().finish(); }
-  /// Steps it by the clock until its end, or until the console asks to stop; the number of
-  /// late steps becomes a figure of the summary. Fails: as simulation::run_paced().
+  /// Steps it by the clock until its end, or until the console asks to stop; the number
+  /// of late steps becomes a figure of the summary. Fails: as simulation::run_paced().
   Result<simulation::RunOutcome> run_paced(OperatorConsole& console);
 
   Time now() const { return linked_.run().now(); }

@@ -207,7 +207,8 @@ inline World make_world(int count, Time delay = Time(), double climb = 0,
 }
 
 /// From the first step to the last.
-inline Result<void> run_to_end(World& world, const RunOptions& options, Recorder& recorder) {
+inline Result<void> run_to_end(World& world, const RunOptions& options,
+                               Recorder& recorder) {
   return Run(world, options, recorder).run_to_end();
 }
 

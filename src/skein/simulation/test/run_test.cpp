@@ -30,7 +30,7 @@ TEST(Run, IsTheSameForAnyNumberOfThreads) {
   for (const int threads : {1, 2, 4}) {
     World world = make_world(100, Time::from_seconds(0.3));
     Notes notes;
-      ASSERT_TRUE(run_to_end(world, seconds(5, threads), notes).ok());
+    ASSERT_TRUE(run_to_end(world, seconds(5, threads), notes).ok());
     if (first.empty()) first = notes.text;
     EXPECT_EQ(notes.text, first) << threads << " threads";
   }
@@ -63,7 +63,7 @@ TEST(Run, MessagesToAllAreCopiedUnlessTheRadioKnowsWhoTheyAre) {
     // Of the others the agent's own program knows nothing.
     world.entities[2].active.clear();
     Notes notes;
-      ASSERT_TRUE(run_to_end(world, seconds(5), notes).ok());
+    ASSERT_TRUE(run_to_end(world, seconds(5), notes).ok());
     EXPECT_EQ(messages, 2 * 11u) << "each half second two speak, to one other";
   }
 }
@@ -158,7 +158,8 @@ TEST(Run, IsTheSameHoweverManyStepsAreMadeAtOnce) {
       while (!run.over()) ASSERT_TRUE(run.step(ticks).ok());
     });
   };
-  const std::string all = moved([](simulation::Run& run) { ASSERT_TRUE(run.run_to_end().ok()); });
+  const std::string all =
+      moved([](simulation::Run& run) { ASSERT_TRUE(run.run_to_end().ok()); });
   EXPECT_EQ(by_steps(1), all);
   EXPECT_EQ(by_steps(7), all);
   EXPECT_EQ(by_steps(1000), all);
@@ -217,11 +218,13 @@ TEST(Run, ACommandBetweenStepsIsThatOfTheOptions) {
 }
 
 TEST(Run, TwoInOneProcessAreWhatEachIsAlone) {
-  const std::string alone = moved([](simulation::Run& run) { ASSERT_TRUE(run.run_to_end().ok()); });
+  const std::string alone =
+      moved([](simulation::Run& run) { ASSERT_TRUE(run.run_to_end().ok()); });
   World first = make_world(3, Time::from_seconds(0.3));
   World second = make_world(3, Time::from_seconds(0.3));
   Notes first_notes, second_notes;
-  simulation::Run one(first, seconds(5), first_notes), other(second, seconds(5), second_notes);
+  simulation::Run one(first, seconds(5), first_notes),
+      other(second, seconds(5), second_notes);
   while (!one.over()) {
     ASSERT_TRUE(one.step(3).ok());
     if (!other.over()) {
