@@ -27,7 +27,6 @@
 #include "skein/link/vehicle_links/vehicle_feed.h"
 #include "skein/record/figures/message_load.h"
 #include "skein/record/report/report.h"
-#include "skein/record/store/fan_out.h"
 #include "skein/record/store/record_stream.h"
 #include "skein/record/store/replay.h"
 #include "skein/record/store/run_recorder.h"
@@ -66,13 +65,6 @@ std::optional<scenario::Scenario> read_kept_scenario(const std::string& text) {
   if (!outcome.ok()) ADD_FAILURE() << outcome.report();
   return std::move(outcome.scenario);
 }
-
-// Says nothing and does not stop.
-class Quiet final : public OperatorConsole {
- public:
-  void show(const RunProgress&) override {}
-  bool stop_requested() const override { return false; }
-};
 
 // --- Readers ------------------------------------------------------------------------
 
@@ -139,15 +131,11 @@ void do_again(const fs::path& folder) {
   take_answer("run --replay", built);
   if (!built) return;
   assemble::Build& ready = built.value();
-  ready.options.speed = 0;
   ready.options.threads = 1;
   ready.options.commands = recorded.value().commands;
-  ready.options.clock_by_command = false;
   ready.options.duration = Time::from_seconds(60);
   ready.feed.reset();
-  Quiet console;
-  record::FanOut nobody{std::vector<Recorder*>{}};
-  take_answer("run --replay", assemble::run_linked(ready, &nobody, console));
+  take_answer("run --replay", assemble::LinkedRun(ready, {}).run().run_to_end());
 }
 
 void read_all(const fs::path& folder) {
@@ -394,14 +382,12 @@ void make_run(const fs::path& folder) {
   auto built = assemble::build(*scenario, kinds);
   if (!built) throw std::runtime_error(built.error().text());
   assemble::Build& ready = built.value();
-  ready.options.speed = 0;
   auto recorder = record::RunRecorder::create(
       folder, {"test", scenario->seed, scenario->name, kScenario, scenario->start_utc});
   if (!recorder) throw std::runtime_error(recorder.error().text());
   constexpr float kHeights[] = {1, 2.1F, 3, 4};
   recorder.value()->store_terrain(2, 2, {-1200, -1200}, 2400, kHeights);
-  Quiet console;
-  if (!assemble::run_linked(ready, recorder.value().get(), console) ||
+  if (!assemble::LinkedRun(ready, {recorder.value().get()}).run().run_to_end() ||
       !recorder.value()->close())
     throw std::runtime_error("no run");
 }

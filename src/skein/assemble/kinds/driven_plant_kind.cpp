@@ -257,7 +257,7 @@ Result<DrivenBody> driven_body(const PhysicsChoice& choice, int system,
   if (!channels) return channels.error();
   const auto step = step_of(choice, c);
   if (!step) return step.error();
-  if (auto done = c.complete_body(); !done) return done.error();
+  if (auto done = add_body(c); !done) return done.error();
   if (std::any_of(c.parts.faults.begin(), c.parts.faults.end(), of_flight_sensor))
     return Error{ErrorCode::kBadInput, "failures",
                  "its flight sensors are its autopilot's: they cannot fail here.", ""};

@@ -216,7 +216,8 @@ Result<std::unique_ptr<Vehicle>> make_flight_model(const FlightModelChoice& choi
                     scenario::seconds_text(c.scenario.step),
                     scenario::seconds_text(kMaxModelStep)),
         "Give step_s: 0.02."};
-  if (auto done = c.complete(); !done) return done.error();
+  if (auto done = add_autopilot(c); !done) return done.error();
+  if (auto done = add_body(c); !done) return done.error();
   if (std::any_of(c.parts.faults.begin(), c.parts.faults.end(), is_of_model))
     return Error{ErrorCode::kBadInput, "failures",
                  "its motor and servos are its flight model's: of its parts only sensors "

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "skein/assemble/kinds/contexts.h"
+#include "skein/assemble/kinds/vehicle_faults.h"
 #include "skein/base/result.h"
 #include "skein/mixed/recorded_port.h"
 #include "skein/role/agent.h"
@@ -34,10 +36,8 @@ struct VehicleContext {
   /// Name, plant, step, sensors, payload and where it starts; a vehicle takes what it is
   /// made of.
   simulation::VehicleParts& parts;
-  /// Adds the rest of what a simulated vehicle is made of: autopilot, turbulence, faults.
-  std::function<Result<void>()> complete;
-  /// Adds the rest of what a body is made of: turbulence, faults.
-  std::function<Result<void>()> complete_body;
+  const Parts& mounted;                ///< what stands in `parts`, by kinds
+  const KindsByRole& kinds;            ///< of its parts
   vehicle_links::VehicleLinks& links;  ///< of the run
   world_link::EntityLinks& remotes;    ///< of the run: to entities in other programs
   modem::ModemLink* modem = nullptr;   ///< of the run; null: there is none
@@ -47,10 +47,18 @@ struct VehicleContext {
   /// What a vehicle that is not simulated said, in a run that is done again; null: it is
   /// to speak for itself.
   const std::vector<mixed::TimedReport>* recorded = nullptr;
-  /// Whether the scenario has a simulated aircraft of a name.
-  std::function<bool(const std::string&)> is_simulated = {};
-  /// An aircraft by its name, once all are made; before, and without one, null.
-  std::function<const Vehicle*(const std::string&)> find = {};
+  const std::set<std::string>& simulated;  ///< names of all such aircraft of the scenario
+  /// All aircraft by their names, each from when it is made on.
+  std::shared_ptr<const std::map<std::string, const Vehicle*>> vehicles;
 };
+
+/// Adds the autopilot to the parts, for a vehicle that has its own here. Fails: what it
+/// cannot be made from.
+Result<void> add_autopilot(const VehicleContext& context);
+
+/// Adds what a body that is here has besides its plant: the gusts that it flies in,
+/// faults that are going to happen, parts that a command can make fail. Fails: what these
+/// cannot be made from.
+Result<void> add_body(const VehicleContext& context);
 
 }  // namespace skein::assemble

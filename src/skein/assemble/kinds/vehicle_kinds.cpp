@@ -213,14 +213,17 @@ Result<mixed::VirtualFeedOptions> virtual_feeds(const FeedOptions& options,
   feeds.zones = c.aircraft.zones;
   if (options.gps) {
     const std::string name = fmt::format("{}-{}", options.gps->group, c.index + 1);
-    if (!c.is_simulated(name))
+    if (!c.simulated.contains(name))
       return Error{ErrorCode::kBadInput, "vehicle.feeds.gps.group",
                    fmt::format("{} is to be where {} is, but the scenario has no "
                                "simulated aircraft of that name.",
                                c.parts.name, name),
                    "Give a group of simulated aircraft that is as large, or leave gps "
                    "out: nobody knows where a real one truly is."};
-    feeds.fix = mixed::FixFeed{[find = c.find, name] { return find(name); },
+    feeds.fix = mixed::FixFeed{[all = c.vehicles, name]() -> const Vehicle* {
+                                 const auto found = all->find(name);
+                                 return found == all->end() ? nullptr : found->second;
+                               },
                                options.gps->rate_hz};
   }
   return feeds;
@@ -280,7 +283,8 @@ Kinds<Vehicle, VehicleContext> vehicle_kinds() {
   kinds.add("simulated", "Plant, autopilot and sensors are models.",
             Fields<NoVehicleOptions>(),
             [](const NoVehicleOptions&, const VehicleContext& c) -> Made {
-              if (auto done = c.complete(); !done) return done.error();
+              if (auto done = add_autopilot(c); !done) return done.error();
+              if (auto done = add_body(c); !done) return done.error();
               return std::unique_ptr<Vehicle>(
                   std::make_unique<simulation::SimulatedVehicle>(std::move(c.parts)));
             });

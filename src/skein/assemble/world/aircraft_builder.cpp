@@ -8,20 +8,19 @@
 
 #include "skein/assemble/kinds/aircraft_fit.h"
 #include "skein/assemble/kinds/kinds_of.h"
+#include "skein/assemble/kinds/routine_periods.h"
 #include "skein/assemble/kinds/sampling.h"
 #include "skein/assemble/kinds/sensor_kinds.h"
 #include "skein/assemble/kinds/team_setup.h"
 #include "skein/assemble/kinds/vehicle_context.h"
-#include "skein/assemble/kinds/vehicle_faults.h"
 #include "skein/assemble/world/placement.h"
 #include "skein/assemble/world/presence.h"
 #include "skein/assemble/world/server_memory.h"
 #include "skein/geo/polygon.h"
-#include "skein/layer/environment/turbulence/discrete_gusts.h"
-#include "skein/layer/environment/turbulence/gusts.h"
 #include "skein/layer/sensory/sensor_suite.h"
 #include "skein/link/world_link/agent_parts.h"
 #include "skein/role/agent.h"
+#include "skein/solve/path/aa_star.h"
 
 namespace skein::assemble {
 namespace {
@@ -97,10 +96,28 @@ std::vector<std::vector<std::string>> aircraft_names(const scenario::Scenario& s
   return all;
 }
 
-Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int index,
-                                                 EntityId self, EntityId station) {
-  const auto group_index = static_cast<std::size_t>(&group - scenario_.aircraft.data());
-  const std::string& name = names_.at(group_index).at(static_cast<std::size_t>(index));
+AircraftBuilder::AircraftBuilder(const scenario::Scenario& scenario,
+                                 const KindsByRole& kinds,
+                                 std::shared_ptr<const Terrain> map,
+                                 const std::vector<Zone>& zones, const WindField& wind,
+                                 const OutsideLinks& links, RecordedReports* recorded)
+    : scenario_(scenario),
+      kinds_(kinds),
+      map_(std::move(map)),
+      zones_(zones),
+      wind_(wind),
+      links_(links),
+      recorded_(recorded),
+      planner_(std::make_shared<solve::AaStar>()),
+      names_(aircraft_names(scenario)),
+      place_period_(routine_periods(scenario, kinds).place) {
+  for (std::size_t k = 0; k < names_.size(); ++k)
+    if (scenario.aircraft[k].vehicle.kind == "simulated")
+      simulated_.insert(names_[k].begin(), names_[k].end());
+}
+
+AircraftContext AircraftBuilder::context_of(const AircraftGroup& group, int index,
+                                            EntityId self, EntityId station) {
   AircraftContext context;
   context.seed = scenario_.seed;
   context.self = self;
@@ -113,14 +130,20 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   context.phenomena = scenario_.environment.phenomena.size();
   context.planner = planner_;
   context.place_period = place_period_;
+  context.gains = gains_of(group.plant);
+  context.shared = &shared_[&group];
+  context.hears_station =
+      heartbeat(scenario_, scenario_.stations[station_of(scenario_, group)]) > Time();
+  return context;
+}
 
+Result<void> AircraftBuilder::add_plant(const AircraftGroup& group,
+                                        AircraftContext& context,
+                                        simulation::VehicleParts& vehicle) {
   auto nominal = nominal_plant(group, context);
   if (!nominal) return nominal.error();
   context.limits = nominal.value()->limits();
   context.airframe = nominal.value()->airframe();
-
-  simulation::VehicleParts vehicle;
-  vehicle.name = name;
   vehicle.plant = nominal.value();
   if (group.parameter_spread > 0) {
     context.parameter_spread = group.parameter_spread;
@@ -128,65 +151,63 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
     if (!own) return own.error();
     vehicle.plant = std::move(own).value();
   }
-  auto step = flight_step(scenario_, group);
-  if (!step) return at(name, step.error());
+  const auto step = flight_step(scenario_, group);
+  if (!step) return at(vehicle.name, step.error());
   vehicle.step = step.value();
-  if (auto placed = put(name, group, index, vehicle); !placed) return placed.error();
-  context.initial = as_estimate(vehicle.state, Time());
-  context.on_ground = vehicle.state.on_ground;
+  return {};
+}
 
-  context.hears_station =
-      heartbeat(scenario_, scenario_.stations[station_of(scenario_, group)]) > Time();
-  for (const scenario::Choice& sensor : group.sensors)
-    context.has_position |= position_age(sensor, vehicle.step.seconds()).has_value();
-  context.gains = gains_of(group.plant);
-  context.shared = &shared_[&group];
-  auto parts = mount_sensors(group, context, vehicle);
-  if (!parts) return parts.error();
-  context.fitted = flight_sensors_in(parts.value().sensors);
-  context.watchers = watchers(group, self);
-  context.team = onboard_team(scenario_, station_of(scenario_, group), context, kinds_);
-  finds_aircraft_ |= context.finds_aircraft;
-  const auto complete_body = [&]() -> Result<void> {
-    auto turbulence = gusty_air(context);
-    if (!turbulence) return turbulence.error();
-    vehicle.turbulence = std::move(turbulence).value();
-    auto faults = vehicle_faults(group, index, parts.value(), scenario_.duration,
-                                 context.seed, context.self);
-    if (!faults) return faults.error();
-    vehicle.faults = std::move(faults).value();
-    vehicle.breakable = breakable_parts(parts.value());
-    return {};
-  };
-  const auto complete = [&]() -> Result<void> {
-    auto autopilot = kinds_.autopilot.make(group.autopilot, context);
-    if (!autopilot) return at(name, autopilot.error());
-    vehicle.autopilot = std::move(autopilot).value();
-    return complete_body();
-  };
-  std::unique_ptr<Agent> remote;
-  auto flown = kinds_.vehicle.make(
+Result<AircraftBuilder::Flown> AircraftBuilder::make_vehicle(
+    const AircraftGroup& group, int index, const AircraftContext& context,
+    const Parts& mounted, simulation::VehicleParts& vehicle) {
+  const std::string name = vehicle.name;
+  Flown flown;
+  auto made = kinds_.vehicle.make(
       group.vehicle,
       VehicleContext{.aircraft = context,
                      .scenario = scenario_,
                      .group = group,
                      .index = index,
                      .parts = vehicle,
-                     .complete = complete,
-                     .complete_body = complete_body,
+                     .mounted = mounted,
+                     .kinds = kinds_,
                      .links = links_.vehicles,
                      .remotes = links_.entities,
                      .modem = links_.modem,
-                     .agent = remote,
-                     .recorded = recorded_ ? &(*recorded_)[self] : nullptr,
-                     .is_simulated =
-                         [this](const std::string& other) { return is_simulated(other); },
-                     .find = [made = made_](const std::string& other) -> const Vehicle* {
-                       const auto found = made->find(other);
-                       return found == made->end() ? nullptr : found->second;
-                     }});
-  if (!flown) return at(name, flown.error());
-  (*made_)[name] = flown.value().get();
+                     .agent = flown.agent,
+                     .recorded = recorded_ ? &(*recorded_)[context.self] : nullptr,
+                     .simulated = simulated_,
+                     .vehicles = made_});
+  if (!made) return at(name, made.error());
+  flown.vehicle = std::move(made).value();
+  (*made_)[name] = flown.vehicle.get();
+  return flown;
+}
+
+Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int index,
+                                                 EntityId self, EntityId station) {
+  const auto group_index = static_cast<std::size_t>(&group - scenario_.aircraft.data());
+  const std::string& name = names_.at(group_index).at(static_cast<std::size_t>(index));
+  AircraftContext context = context_of(group, index, self, station);
+
+  simulation::VehicleParts vehicle;
+  vehicle.name = name;
+  if (auto added = add_plant(group, context, vehicle); !added) return added.error();
+  if (auto placed = put(name, group, index, vehicle); !placed) return placed.error();
+  context.initial = as_estimate(vehicle.state, Time());
+  context.on_ground = vehicle.state.on_ground;
+
+  for (const scenario::Choice& sensor : group.sensors)
+    context.has_position |= position_age(sensor, vehicle.step.seconds()).has_value();
+  const auto mounted = mount_sensors(group, context, vehicle);
+  if (!mounted) return mounted.error();
+  context.fitted = flight_sensors_in(mounted.value().sensors);
+  context.watchers = watchers(group, self);
+  context.team = onboard_team(scenario_, station_of(scenario_, group), context, kinds_);
+  finds_aircraft_ |= context.finds_aircraft;
+
+  auto flown = make_vehicle(group, index, context, mounted.value(), vehicle);
+  if (!flown) return flown.error();
   auto agent = kinds_.agent.make(group.agent, context);
   if (!agent) return agent.error();
 
@@ -203,10 +224,10 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   entity.sends = transmitters(group.transmits);
   entity.address = team_address(self);
   entity.agent = std::move(agent).value();
-  entity.vehicle = std::move(flown).value();
+  entity.vehicle = std::move(flown.value().vehicle);
   entity.agent_period = group.agent_period;
-  if (remote) {  // it thinks elsewhere; what it says is taken at once
-    entity.agent = std::move(remote);
+  if (flown.value().agent) {  // it thinks elsewhere; what it says is taken at once
+    entity.agent = std::move(flown.value().agent);
     entity.agent_period = scenario_.step;
   } else if (links_.world) {
     entity.agent = std::make_unique<world_link::ConnectedAgent>(std::move(entity.agent),
@@ -246,13 +267,6 @@ std::vector<EntityId> AircraftBuilder::watchers(const AircraftGroup& group,
   return all;
 }
 
-bool AircraftBuilder::is_simulated(const std::string& name) const {
-  for (std::size_t k = 0; k < names_.size(); ++k)
-    if (std::find(names_[k].begin(), names_[k].end(), name) != names_[k].end())
-      return scenario_.aircraft[k].vehicle.kind == "simulated";
-  return false;
-}
-
 Result<std::shared_ptr<const Plant>> AircraftBuilder::nominal_plant(
     const AircraftGroup& group, const AircraftContext& context) {
   if (const auto known = plants_.find(&group); known != plants_.end())
@@ -260,25 +274,6 @@ Result<std::shared_ptr<const Plant>> AircraftBuilder::nominal_plant(
   auto made = kinds_.plant.make(group.plant, context);
   if (!made) return made.error();
   return plants_.emplace(&group, std::move(made).value()).first->second;
-}
-
-Result<std::unique_ptr<Turbulence>> AircraftBuilder::gusty_air(
-    const AircraftContext& context) const {
-  auto turbulence = kinds_.turbulence.make(scenario_.environment.turbulence, context);
-  if (!turbulence || scenario_.environment.gusts.empty()) return turbulence;
-  environment::DiscreteGustsOptions single;
-  for (const scenario::GustEvent& gust : scenario_.environment.gusts)
-    single.gusts.push_back(
-        {gust.at.seconds(),
-         {gust.velocity.x(), gust.velocity.y(), -gust.up},
-         gust.in_body ? environment::GustFrame::kBody : environment::GustFrame::kLocal,
-         gust.length,
-         gust.hold});
-  std::vector<std::unique_ptr<Turbulence>> parts;
-  if (turbulence.value()) parts.push_back(std::move(turbulence).value());
-  parts.push_back(std::make_unique<environment::DiscreteGusts>(single));
-  return std::unique_ptr<Turbulence>(
-      std::make_unique<environment::Gusts>(std::move(parts)));
 }
 
 // In level flight at cruise, in the wind of that place, or on the ground.

@@ -3,12 +3,12 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "skein/assemble/kinds/contexts.h"
 #include "skein/assemble/kinds/kind_registry.h"
-#include "skein/assemble/kinds/routine_periods.h"
 #include "skein/assemble/kinds/vehicle_faults.h"
 #include "skein/base/result.h"
 #include "skein/data/airspace/zone.h"
@@ -19,7 +19,6 @@
 #include "skein/scenario/scenario.h"
 #include "skein/simulation/simulated_vehicle.h"
 #include "skein/simulation/world.h"
-#include "skein/solve/path/aa_star.h"
 
 namespace skein::vehicle_links {
 class VehicleLinks;
@@ -58,17 +57,7 @@ class AircraftBuilder {
   AircraftBuilder(const scenario::Scenario& scenario, const KindsByRole& kinds,
                   std::shared_ptr<const Terrain> map, const std::vector<Zone>& zones,
                   const WindField& wind, const OutsideLinks& links,
-                  RecordedReports* recorded)
-      : scenario_(scenario),
-        kinds_(kinds),
-        map_(std::move(map)),
-        zones_(zones),
-        wind_(wind),
-        links_(links),
-        recorded_(recorded),
-        planner_(std::make_shared<solve::AaStar>()),
-        names_(aircraft_names(scenario)),
-        place_period_(routine_periods(scenario, kinds).place) {}
+                  RecordedReports* recorded);
 
   /// Aircraft `index` of `group`, which becomes entity `self` and reports to `station`.
   /// Fails: what a part cannot be made from; a start inside terrain or a no-fly zone;
@@ -84,6 +73,20 @@ class AircraftBuilder {
   const TeamAircraft& last() const { return last_; }
 
  private:
+  // A vehicle, and what stands here for its agent where that is elsewhere; else null.
+  struct Flown {
+    std::unique_ptr<Vehicle> vehicle;
+    std::unique_ptr<Agent> agent;
+  };
+
+  // What is known before a part is made.
+  AircraftContext context_of(const scenario::AircraftGroup& group, int index,
+                             EntityId self, EntityId station);
+  Result<void> add_plant(const scenario::AircraftGroup& group, AircraftContext& context,
+                         simulation::VehicleParts& vehicle);
+  Result<Flown> make_vehicle(const scenario::AircraftGroup& group, int index,
+                             const AircraftContext& context, const Parts& mounted,
+                             simulation::VehicleParts& vehicle);
   // What an autopilot and planners know: the plant as its group has it.
   Result<std::shared_ptr<const Plant>> nominal_plant(const scenario::AircraftGroup& group,
                                                      const AircraftContext& context);
@@ -92,8 +95,6 @@ class AircraftBuilder {
   Result<Parts> mount_sensors(const scenario::AircraftGroup& group,
                               AircraftContext& context,
                               simulation::VehicleParts& vehicle) const;
-  Result<std::unique_ptr<Turbulence>> gusty_air(const AircraftContext& context) const;
-  bool is_simulated(const std::string& name) const;
   std::vector<EntityId> watchers(const scenario::AircraftGroup& group, EntityId self);
   bool finds_aircraft(const scenario::AircraftGroup& group);
 
@@ -108,6 +109,7 @@ class AircraftBuilder {
   std::map<const scenario::AircraftGroup*, std::shared_ptr<const Plant>> plants_;
   std::map<const scenario::AircraftGroup*, std::any> shared_;  // of their autopilots
   std::vector<std::vector<std::string>> names_;                // of each group
+  std::set<std::string> simulated_;                            // names of those
   double place_period_;
   // All that were made, for those who look at others when the run goes.
   std::shared_ptr<std::map<std::string, const Vehicle*>> made_ =
