@@ -592,7 +592,7 @@ Result<Build> build(const Scenario& scenario, const KindRegistry& kinds,
                     std::span<const VehicleReportRecord> recorded) {
   RecordedReports reports;
   for (const VehicleReportRecord& each : recorded)
-    reports[each.id].push_back({each.time, each.report});
+    reports[each.id].push_back({each.time, each.value});
   return build_from(scenario, kinds, &reports);
 }
 
