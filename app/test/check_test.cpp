@@ -108,7 +108,7 @@ TEST_F(Check, ARunOfFormerNamesIsStillDescribed) {
   write("r/scenario.yaml", kept);
   const Finished reported = run({"report", "r"});
   EXPECT_EQ(reported.status, 0) << reported.err;
-  const Finished exported = run({"export", "r", "--out", "r.geojson"});
+  const Finished exported = run({"export", "r", "--what", "tracks", "--out", "r.geojson"});
   EXPECT_EQ(exported.status, 0) << exported.err;
 }
 
