@@ -45,7 +45,8 @@ constexpr const char* kCheckExamples = R"(
 Examples:
   skein check scenarios/wildfire.yaml
   skein check scenarios/wildfire.yaml --set missions[0].estimator=ensemble
-  skein check scenarios/wildfire.yaml --print > full.yaml     with all defaults)";
+  skein check scenarios/wildfire.yaml --print > full.yaml     with all defaults
+  skein check --update mine/*.yaml      after a new version: its names for keys)";
 
 constexpr const char* kListExamples = R"(
 Examples:
@@ -137,27 +138,24 @@ Command add_run(CLI::App& program) {
 }
 
 Command add_check(CLI::App& program) {
-  struct Given {
-    std::string scenario;
-    std::vector<std::string> overrides, plugins, trusted;
-    bool filled_in = false;
-  };
-  auto* command =
-      program.add_subcommand("check", "Check a scenario: all problems at once.");
-  const auto given = std::make_shared<Given>();
-  command->add_option("scenario", given->scenario, "The scenario file (YAML).")
+  auto* command = program.add_subcommand(
+      "check", "Check scenarios and other files: all problems at once.");
+  const auto check = std::make_shared<CheckArguments>();
+  command
+      ->add_option("files", check->files,
+                   "Scenarios, aircraft, radios, relays or campaigns (YAML).")
       ->required();
-  add_set_option(*command, given->overrides);
-  add_plugin_option(*command, given->plugins);
-  add_trust_option(*command, given->trusted);
-  command->add_flag("--print", given->filled_in,
+  add_set_option(*command, check->overrides);
+  add_plugin_option(*command, check->plugins);
+  add_trust_option(*command, check->trusted);
+  command->add_flag("--print", check->filled_in,
                     "Print the scenario with all defaults filled in.");
+  command->add_flag("--update", check->update,
+                    "First rewrite names of former versions in the files, and show what "
+                    "has changed; comments stay.");
   add_log_option(*command);
   command->footer(kCheckExamples);
-  return {command, [given] {
-            return check_command(given->scenario, given->overrides, given->plugins,
-                                 given->trusted, given->filled_in);
-          }};
+  return {command, [check] { return check_command(*check); }};
 }
 
 Command add_list(CLI::App& program) {

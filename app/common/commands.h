@@ -97,12 +97,17 @@ struct AgentArguments {
   bool overwrite = false;
 };
 
+struct CheckArguments {
+  std::vector<std::string> files;  ///< scenarios, aircraft, radios, relays, campaigns
+  std::vector<std::string> overrides, plugins, trusted;
+  bool filled_in = false;  ///< print scenarios with all defaults
+  bool update = false;     ///< rewrite names of former versions first
+};
+
 int agent_command(const AgentArguments& arguments, const std::atomic<bool>& stop);
 int vehicle_command(const VehicleArguments& arguments, const std::atomic<bool>& stop);
 int run_command(const RunArguments& arguments, const std::atomic<bool>& stop);
-int check_command(const std::string& scenario, const std::vector<std::string>& overrides,
-                  const std::vector<std::string>& plugins,
-                  const std::vector<std::string>& trusted, bool filled_in);
+int check_command(const CheckArguments& arguments);
 int list_command(const std::string& role, const std::vector<std::string>& plugins);
 /// Puts the kinds of plugins, or without one all kinds, to the test of their contracts.
 int verify_command(const std::string& role, const std::vector<std::string>& plugins);

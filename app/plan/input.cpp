@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "skein/exchange/table/csv_cells.h"
+#include "skein/base/csv.h"
 #include "skein/model/path/wind_triangle.h"
 
 namespace skein::app {
@@ -110,9 +110,9 @@ Result<std::vector<double>> numbers_of(const std::string& option, const std::str
                                        std::size_t min, std::size_t max,
                                        const std::string& form) {
   std::vector<double> numbers;
-  exchange::CsvCells cells(text);
+  CsvCells cells(text);
   while (const auto cell = cells.next()) {
-    const auto value = exchange::number_in(*cell);
+    const auto value = number_in(*cell);
     if (!value || !std::isfinite(*value))
       return wrong(option, fmt::format("\"{}\" is not a finite number.", *cell),
                    fmt::format("Needed: {}.", form));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands about scenario files, aircraft files and kinds: check, list, schema, keys.
+// Commands about kinds and keys: list, schema, keys.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,15 +8,12 @@
 #include "app/common/commands.h"
 #include "app/common/common.h"
 #include "app/common/output.h"
+#include "app/scenario/file_format.h"
 #include "skein/assemble/aircraft/aircraft_file.h"
 #include "skein/assemble/radio/radio_fields.h"
 #include "skein/assemble/radio/radio_file.h"
-#include "skein/assemble/relay/relay_profile.h"
-#include "skein/assemble/world/build.h"
 #include "skein/assemble/world/verify_kinds.h"
 #include "skein/base/check.h"
-#include "skein/base/log.h"
-#include "skein/campaign/campaign/campaign_file.h"
 #include "skein/data/team/task_text.h"
 #include "skein/record/store/record_text.h"
 #include "skein/record/store/wire_table_text.h"
@@ -25,23 +22,6 @@
 #include "skein/scenario/schema.h"
 
 namespace skein::app {
-
-int check_command(const std::string& file, const std::vector<std::string>& overrides,
-                  const std::vector<std::string>& plugins,
-                  const std::vector<std::string>& trusted, bool filled_in) {
-  auto kinds = load_kinds(plugins, trusted);
-  if (!kinds) return kBadUsage;
-  const auto scenario = load_scenario(file, overrides, plugins, *kinds);
-  if (!scenario) return kBadUsage;
-  const auto built = assemble::build(*scenario, *kinds);  // data files are read here
-  if (!built) return say_error(built.error());
-  for (const std::string& warning : built.value().warnings) log_warning("{}", warning);
-  if (filled_in)
-    put_out(scenario::write_scenario(*scenario, kinds->table()));
-  else
-    print("{}: good.\n", file);
-  return kDone;
-}
 
 namespace {
 
@@ -152,26 +132,6 @@ int verify_command(const std::string& role, const std::vector<std::string>& plug
   }
   return good ? kDone : kFailed;
 }
-
-namespace {
-
-// What a file other than a scenario is made of; null: it is a scenario.
-const scenario::Document* document_of(const std::string& name) {
-  if (name == "aircraft") return &assemble::aircraft_document();
-  if (name == "radio") return &assemble::radio_document();
-  if (name == "relay") return &assemble::relay_document();
-  if (name == "campaign") return &campaign::campaign_document();
-  return nullptr;
-}
-
-// The kinds that such a file may name.
-scenario::KindTable table_of(const std::string& document,
-                             const assemble::KindRegistry& kinds) {
-  return document == "radio" ? assemble::radio_table(kinds.kinds())
-                             : scenario::KindTable();
-}
-
-}  // namespace
 
 int schema_command(const std::string& document, const std::vector<std::string>& plugins) {
   if (document == "records") {

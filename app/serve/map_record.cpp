@@ -126,10 +126,10 @@ struct ForMap {
     return r;
   }
   Shown operator()(ObjectBeliefRecord r) const {
-    r.belief.position = rounded(r.belief.position, kPlace);
-    r.belief.velocity = rounded(r.belief.velocity, kPlace);
-    r.belief.position_sd = rounded(r.belief.position_sd, kPlace);
-    r.belief.velocity_sd = 0;
+    r.value.position = rounded(r.value.position, kPlace);
+    r.value.velocity = rounded(r.value.velocity, kPlace);
+    r.value.position_sd = rounded(r.value.position_sd, kPlace);
+    r.value.velocity_sd = 0;
     return r;
   }
   Shown operator()(TrafficMotion r) const {
@@ -140,18 +140,18 @@ struct ForMap {
     return r;
   }
   Shown operator()(TrafficBeliefRecord r) const {
-    if (!r.belief.firm) return {};
+    if (!r.value.firm) return {};
     for (int k = 0; k < 3; ++k) {
-      r.belief.position[k] = rounded(r.belief.position[k], kPlace);
-      r.belief.velocity[k] = rounded(r.belief.velocity[k], kPlace);
+      r.value.position[k] = rounded(r.value.position[k], kPlace);
+      r.value.velocity[k] = rounded(r.value.velocity[k], kPlace);
     }
-    r.belief.horizontal_sd = rounded(r.belief.horizontal_sd, kPlace);
-    r.belief.vertical_sd = rounded(r.belief.vertical_sd, kPlace);
-    r.belief.velocity_sd = 0;
+    r.value.horizontal_sd = rounded(r.value.horizontal_sd, kPlace);
+    r.value.vertical_sd = rounded(r.value.vertical_sd, kPlace);
+    r.value.velocity_sd = 0;
     return r;
   }
   Shown operator()(FlightPathRecord r) const {
-    for (PathPoint& p : r.path.points)
+    for (PathPoint& p : r.value.points)
       p = {rounded(p.ahead, kAhead), rounded(p.north, kPlace), rounded(p.east, kPlace),
            rounded(p.altitude_msl, kPlace)};
     return r;

@@ -78,9 +78,9 @@ struct AddTo {
   void operator()(const Detection& r) const { extent.add(r.point); }
   void operator()(const ObjectMotion& r) const { extent.add(r.position); }
   void operator()(const MissionRecord& r) const {
-    if (const auto* survey = std::get_if<SurveyGoal>(&r.change.goal))
+    if (const auto* survey = std::get_if<SurveyGoal>(&r.value.goal))
       extent.add(survey->area);
-    if (const auto* patrol = std::get_if<PatrolGoal>(&r.change.goal))
+    if (const auto* patrol = std::get_if<PatrolGoal>(&r.value.goal))
       extent.add(patrol->line);
   }
   template <class Other>

@@ -31,7 +31,7 @@ struct RoomFinder {
   Room operator()(const MessageRecord&) const { return {}; }
   Room operator()(const RecommendationRecord&) const { return {}; }
   Room operator()(const AlertRecord& r) const {
-    if (r.alert.level == 0) return {};
+    if (r.value.level == 0) return {};
     return kRoom;
   }
   template <class Other>

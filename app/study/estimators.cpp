@@ -24,16 +24,12 @@ namespace {
 namespace fs = std::filesystem;
 
 int evaluate_rows(const std::string& file,
-                  std::vector<Error> (*evaluate)(std::istream&, const std::string&,
+                  std::vector<Error> (*evaluate)(std::string_view, const std::string&,
                                                  std::ostream&)) {
-  std::ifstream stored;
-  if (file != "-") {
-    auto opened = open_input(file);
-    if (!opened) return say_error(opened.error());
-    stored = std::move(opened).value();
-  }
-  const auto problems =
-      evaluate(file == "-" ? std::cin : stored, file == "-" ? "stdin" : file, std::cout);
+  const bool is_stdin = file == "-";
+  const auto text = read_file(is_stdin ? "/dev/stdin" : file);
+  if (!text) return say_error(text.error());
+  const auto problems = evaluate(text.value(), is_stdin ? "stdin" : file, std::cout);
   for (const Error& problem : problems) complain("{}\n", problem.text());
   return problems.empty() ? kDone : kBadUsage;
 }

@@ -115,7 +115,7 @@ void avoidance_options(CLI::App& command, StudyArguments& study) {
   add_word("--tracks", avoidance.tracks,
            "How intruders are found: perfect (default), adsb, passive or radar.",
            {"perfect", "adsb", "passive", "radar"});
-  add_word("--stranger-room", avoidance.room,
+  add_word("--intruder-room", avoidance.room,
            "What is kept free around an intruder: moving (default) or static.",
            {"moving", "static"});
   add_word("--turbulence", avoidance.turbulence,

@@ -222,7 +222,7 @@ TEST_F(ModemAgents, AreReachedAndReplayed) {
 }
 
 TEST_F(ModemAgents, AreHeardByRangeAloneWhereTheMediumDoesNotHearThem) {
-  const pid_t world = start_modem_world("world", ", hear: false");
+  const pid_t world = start_modem_world("world", ", receive: false");
   const pid_t agent = start_modem_agent();
   EXPECT_TRUE(comes_to("world",
                        "SELECT count(*) FROM messages WHERE from_id = 1 AND lost = 0 AND "

@@ -47,7 +47,7 @@ TEST_F(Program, AvoidDetectSaysWhatIsWrong) {
   expect(detect("none.csv", "skein_suas"), "none.csv");
   expect(detect("bad.csv", "skein_suas"), "bad.csv:4: case h has two aircraft 1.");
   expect(detect("e.csv", "suas"), "By name there are DO_365B_no_SUM, skein_suas");
-  expect(detect("e.csv", "bad.json"), "bad.json lookahead_s: \"long\" is no number.");
+  expect(detect("e.csv", "bad.json"), "bad.json: lookahead_s: must be a number from");
   expect(detect("e.csv", "skein_suas", "e.csv"), "is what --batch names, too.");
   EXPECT_EQ(read_file(folder_ / "e.csv"), kTwo) << "it is still there";
   EXPECT_FALSE(fs::exists(folder_ / "a.csv"));

@@ -84,8 +84,8 @@ TEST_F(AvoidanceStudy, EveryDealPartsAPair) {
 // Both rooms keep well clear; the standing one is flown around by another way.
 TEST_F(AvoidanceStudy, StrangersAreKeptWellClearOfByEitherRoom) {
   write("e.csv", kEncounter);
-  const std::string moving = study("e.csv", {"--stranger-room", "moving"});
-  const std::string standing = study("e.csv", {"--stranger-room", "static"});
+  const std::string moving = study("e.csv", {"--intruder-room", "moving"});
+  const std::string standing = study("e.csv", {"--intruder-room", "static"});
   for (const std::string& csv : {moving, standing}) {
     EXPECT_EQ(cell(csv, "lowc"), 0);
     EXPECT_EQ(cell(csv, "arrived"), 1);
@@ -124,7 +124,7 @@ TEST_F(AvoidanceStudy, SaysWhatIsWrong) {
   expect({"--cases", "pair.csv", "--tracks", "eyes"}, "--tracks");
   expect({"--cases", "pair.csv", "--method", "luck"}, "--method");
   expect({"--cases", "pair.csv", "--deal", "luck"}, "--deal");
-  expect({"--cases", "pair.csv", "--stranger-room", "bed"}, "--stranger-room");
+  expect({"--cases", "pair.csv", "--intruder-room", "bed"}, "--intruder-room");
 }
 
 }  // namespace

@@ -266,13 +266,14 @@ TEST_F(Program, NetSaysWhatIsWrong) {
   expect(two, "phy.transmit_power_dbm");
   expect(two, "phy.noise_bandwidth_hz");
   write("bad.csv", "message,time_s,from,to,bytes\n0,0.1,3,4,1000\n");
-  expect(net("n.csv", "bad.csv"), "bad.csv:2: there is no node 4.");
+  expect(net("n.csv", "bad.csv"), "bad.csv:2: column \"to\": there is no node 4.");
   write("bad.csv", "message,time_s,from,to,bytes\n0,0.1,3,3,1000\n");
-  expect(net("n.csv", "bad.csv"), "bad.csv:2: node 3 sends to itself.");
+  expect(net("n.csv", "bad.csv"), "bad.csv:2: column \"to\": node 3 sends to itself.");
   write("bad.csv", "message,time_s,from,to,bytes\n0,0.1,3,5,10000000\n");
-  expect(net("n.csv", "bad.csv"), "bytes: 10000000 is no whole number from 0 to 65000.");
+  expect(net("n.csv", "bad.csv"),
+         "\"bytes\": \"10000000\" is no whole number from 0 to 65000.");
   write("bad.csv", "message,time_s,from,to\n0,0.1,3,5\n");
-  expect(net("n.csv", "bad.csv"), "the header lacks bytes.");
+  expect(net("n.csv", "bad.csv"), "column \"bytes\" is missing.");
   expect(run({"net", "--nodes", "n.csv", "--saturate", "3,5,1000", "--profile", "nn4",
               "--duration", "1", "--out", "m.csv"}),
          "It is FROM,TO,BYTES,DEPTH");

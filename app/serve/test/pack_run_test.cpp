@@ -121,7 +121,7 @@ TEST(PackRun, SaysWhatTheRecordsOfTheRunSay) {
   EXPECT_LT(last.truth.at(0).size(), true_last.truth.at(0).size());
   const auto paths = records_of<RecommendationRecord>(run);
   ASSERT_EQ(paths.size(), 1U);
-  ASSERT_EQ(paths[0].recommendation.path.size(), 1U);
+  ASSERT_EQ(paths[0].value.path.size(), 1U);
 }
 
 TEST(PackRun, HasForecastsInTheOrderInWhichTheyWereMade) {

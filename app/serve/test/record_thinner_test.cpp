@@ -15,7 +15,7 @@ FireReading reading(double time, std::uint32_t aircraft) {
 
 AlertRecord alert(double time, std::uint32_t level) {
   AlertRecord record{Time::from_seconds(time), EntityId{1}, {}};
-  record.alert.level = level;
+  record.value.level = level;
   return record;
 }
 
@@ -70,7 +70,7 @@ TEST(RecordThinner, KeepsTheEndsOfAlertsAndWhatThereIs) {
   const auto all = thinner.finish();
   EXPECT_EQ(kept_of<EntityRecord>(all).size(), 1U);
   int ends = 0;
-  for (const AlertRecord& each : kept_of<AlertRecord>(all)) ends += each.alert.level == 0;
+  for (const AlertRecord& each : kept_of<AlertRecord>(all)) ends += each.value.level == 0;
   EXPECT_EQ(ends, 10);
   EXPECT_LT(all.size(), 30U);
 }
@@ -92,12 +92,12 @@ TEST(MapRecord, RoundsPathsAhead) {
   const auto shown = for_map(path);
   ASSERT_TRUE(shown);
   const auto& record = std::get<FlightPathRecord>(*shown);
-  ASSERT_EQ(record.path.points.size(), 1U);
-  EXPECT_EQ(record.path.points[0].ahead, 1);
-  EXPECT_EQ(record.path.points[0].north, 10);
-  EXPECT_EQ(record.path.points[0].east, -20.0625F);
-  EXPECT_EQ(record.path.points[0].altitude_msl, 300);
-  EXPECT_TRUE(record.path.ends);
+  ASSERT_EQ(record.value.points.size(), 1U);
+  EXPECT_EQ(record.value.points[0].ahead, 1);
+  EXPECT_EQ(record.value.points[0].north, 10);
+  EXPECT_EQ(record.value.points[0].east, -20.0625F);
+  EXPECT_EQ(record.value.points[0].altitude_msl, 300);
+  EXPECT_TRUE(record.value.ends);
 }
 
 TEST(MapRecord, LeavesOutWhatNoMapShows) {
@@ -110,7 +110,7 @@ TEST(MapRecord, LeavesOutWhatNoMapShows) {
   EXPECT_FALSE(for_map(lost));
   TrafficBeliefRecord belief;
   EXPECT_FALSE(for_map(belief));
-  belief.belief.firm = true;
+  belief.value.firm = true;
   EXPECT_TRUE(for_map(belief));
 }
 

@@ -19,6 +19,7 @@ Reading finished(Problems& problems, const Document& document) {
   Reading reading;
   reading.problem_count = problems.count();
   reading.problems = problems.take();
+  reading.renames = problems.take_renames();
   reading.consequence = document.consequence;
   return reading;
 }

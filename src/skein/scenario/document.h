@@ -44,6 +44,7 @@ struct Reading {
   std::size_t problem_count = 0;  ///< all of them
   std::string consequence;        ///< see Document
   Source source;                  ///< what was read
+  std::vector<Rename> renames;    ///< names that have changed since it was written
 
   bool ok() const { return problem_count == 0; }
   /// One line per problem and "2 problems; nothing was run."; empty when there is none.

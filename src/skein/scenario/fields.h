@@ -88,6 +88,7 @@ class FieldsBase {
  protected:
   void add(Field field);
   void set_required();
+  void set_former(std::string key);
   void set_count(const Count& count);
   void add_rule(Rule rule) { object_.rules.push_back(std::move(rule)); }
 
@@ -102,6 +103,7 @@ struct Word {
   std::string name;
   Enum value;
   std::string help;
+  std::string former = {};  ///< as it was called before; empty: as now
 };
 
 /// Describes how the members of the plain struct T are written in a file.
@@ -219,7 +221,8 @@ class Fields : public detail::FieldsBase {
     static_assert(std::is_enum_v<Enum>);
     WordType type{{}, &get_as_integer<Enum>, &set_as_integer<Enum>};
     for (const Word<Enum>& w : words) {
-      type.words.push_back({w.name, w.help, static_cast<std::int64_t>(w.value)});
+      type.words.push_back(
+          {w.name, w.help, static_cast<std::int64_t>(w.value), w.former});
     }
     return add_leaf<Enum>(key, member, help, std::move(type));
   }
@@ -272,6 +275,13 @@ class Fields : public detail::FieldsBase {
   /// The key added last must be given.
   Fields& required() {
     set_required();
+    return *this;
+  }
+
+  /// The key added last was called `key` before: a file that says so is refused with the
+  /// new name, and rewritten by `skein check --update`. What a run has recorded is read.
+  Fields& formerly(std::string key) {
+    set_former(std::move(key));
     return *this;
   }
 

@@ -26,6 +26,19 @@ void Problems::add(const Place& place, std::string key, std::string message,
       {place, sources_.at(source), std::move(key), std::move(message), std::move(hint)});
 }
 
+void Problems::note(Rename rename) {
+  // As many as a large file may have, bounded as all that it can make grow.
+  constexpr std::size_t kMaxRenames = 100'000;
+  if (rename.place.source == 0 && renames_.size() < kMaxRenames)
+    renames_.push_back(std::move(rename));
+}
+
+std::vector<Rename> Problems::take_renames() {
+  std::stable_sort(renames_.begin(), renames_.end(),
+                   [](const Rename& a, const Rename& b) { return a.place < b.place; });
+  return std::exchange(renames_, {});
+}
+
 std::vector<Problem> Problems::take() {
   std::stable_sort(list_.begin(), list_.end(),
                    [](const Problem& a, const Problem& b) { return a.place < b.place; });

@@ -28,6 +28,12 @@ struct Problem {
   std::string text() const;
 };
 
+/// A name in a file that is called otherwise now.
+struct Rename {
+  Place place;
+  std::string from, to;
+};
+
 /// All problems of one reading. Keeps the first kMax and counts the rest, so that ten
 /// megabytes of nonsense do not become gigabytes of messages.
 class Problems {
@@ -40,6 +46,10 @@ class Problems {
   void add(const Place& place, std::string key, std::string message,
            std::string hint = {});
   std::size_t count() const { return count_; }
+  /// Notes that a name of the file itself has changed; no problem by itself.
+  void note(Rename rename);
+  /// Those noted, in the order of their places. Empties this.
+  std::vector<Rename> take_renames();
   /// No more details are worth computing.
   bool full() const { return list_.size() >= kMax; }
   /// Those kept, in the order of their places. Empties this.
@@ -48,6 +58,7 @@ class Problems {
  private:
   std::vector<std::string> sources_;
   std::vector<Problem> list_;
+  std::vector<Rename> renames_;
   std::size_t count_ = 0;
 };
 

@@ -98,7 +98,13 @@ void Reader::read_object(const Object& object, const Node& node, void* target,
     if (choice && key.text == "kind") continue;
     const Field* field = object.find(key.text);
     path_.push_back({&key.text, 0});
-    if (field) {
+    if (!field) {
+      field = object.find_former(key.text);
+      if (field) renamed(key.place, key.text, field->key);
+    }
+    if (field && given[static_cast<std::size_t>(field - object.fields.data())]) {
+      error(key.place, fmt::format("is given twice, as \"{}\" too.", field->key));
+    } else if (field) {
       given[static_cast<std::size_t>(field - object.fields.data())] = true;
       has_default_ = !field->required;
       read(*field->type, node.items[i], field->in(target));

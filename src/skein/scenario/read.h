@@ -81,6 +81,8 @@ class Reader {
   void error(const Place& place, std::string message, std::string hint = {});
   void wrong_type(const Node& node, std::string hint = {});
   void out_of_range(const Node& node, const std::string& range);
+  // A name that is called otherwise now: refused, unless the file is only described.
+  void renamed(const Place& place, const std::string& from, const std::string& to);
   void unknown_key(const Object& object, const Node::Key& key, const Node& value,
                    const ChoiceType* choice, const std::string* kind);
   std::string default_hint() const;

@@ -140,6 +140,10 @@ void Reader::read_leaf(const WordType& type, const Node& node, void* target) {
   std::vector<std::string> names;
   for (const WordType::Word& word : type.words) {
     if (node.scalar() && node.text == word.name) return type.set(target, word.value);
+    if (node.scalar() && !word.former.empty() && node.text == word.former) {
+      renamed(node.place, node.text, word.name);
+      return type.set(target, word.value);
+    }
     names.push_back(word.name);
   }
   const std::string near = node.scalar() ? nearest_name(node.text, names) : "";
@@ -204,6 +208,13 @@ void Reader::wrong_type(const Node& node, std::string hint) {
 
 void Reader::out_of_range(const Node& node, const std::string& range) {
   error(node.place, fmt::format("{} must be {}.", node.text, range), default_hint());
+}
+
+void Reader::renamed(const Place& place, const std::string& from, const std::string& to) {
+  problems_.note({place, from, to});
+  if (care_ == Care::kWhatItSays) return;
+  error(place, fmt::format("\"{}\" is called \"{}\" now.", from, to),
+        place.source == 0 ? "`skein check --update FILE` rewrites the file." : "");
 }
 
 void Reader::unknown_key(const Object& object, const Node::Key& key, const Node& value,

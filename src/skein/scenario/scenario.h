@@ -170,8 +170,8 @@ struct TrafficGroup {
 struct TeamSetup {
   enum class Structure {
     kNone,         ///< it does not: the station gives orders
-    kMaster,       ///< one of the aircraft, selected by all
-    kFixedMaster,  ///< the station, always
+    kLeader,       ///< one of the aircraft, elected by all
+    kFixedLeader,  ///< the station, always
     kAuction,      ///< nobody: tasks go to the highest bids
   };
   enum class Allocation {

@@ -230,14 +230,15 @@ Fields<TeamSetup> team_fields() {
       .word("structure", &T::structure,
             "Who shares out the tasks of missions of the kind `team`.",
             {{"none", Structure::kNone, "nobody: there are none"},
-             {"master", Structure::kMaster,
-              "one of the aircraft, which they select; another one when it is lost"},
-             {"fixed-master", Structure::kFixedMaster,
-              "the station, as long as they hear it"},
+             {"leader", Structure::kLeader,
+              "one of the aircraft, which they elect; another one when it is lost",
+              "master"},
+             {"fixed-leader", Structure::kFixedLeader,
+              "the station, as long as they receive it", "fixed-master"},
              {"auction", Structure::kAuction,
               "nobody: each bids, and the highest bid wins"}})
       .word(
-          "allocation", &T::allocation, "How a master shares them.",
+          "allocation", &T::allocation, "How a leader shares them.",
           {{"coalitions", Allocation::kCoalitions,
             "one task each, by sensors, endurance and time in wind and around zones, for "
             "the highest utility"},
@@ -267,7 +268,7 @@ Fields<TeamSetup> team_fields() {
             })
       .rule("approval", [](const T& t) {
         const bool leads =
-            t.structure == Structure::kMaster || t.structure == Structure::kFixedMaster;
+            t.structure == Structure::kLeader || t.structure == Structure::kFixedLeader;
         return !t.approval || leads ? std::string()
                                     : std::string(
                                           "needs a structure in which somebody "

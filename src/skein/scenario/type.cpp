@@ -101,6 +101,12 @@ const Field* Object::find(std::string_view key) const {
   return nullptr;
 }
 
+const Field* Object::find_former(std::string_view key) const {
+  for (const Field& field : fields)
+    if (!field.former.empty() && field.former == key) return &field;
+  return nullptr;
+}
+
 std::string expected(const Type& type) {
   return std::visit(Expected{}, type.what);
 }
@@ -122,6 +128,12 @@ void detail::FieldsBase::add(Field field) {
 void detail::FieldsBase::set_required() {
   SKEIN_CHECK(!object_.fields.empty());
   object_.fields.back().required = true;
+}
+
+void detail::FieldsBase::set_former(std::string key) {
+  SKEIN_CHECK(!object_.fields.empty());
+  SKEIN_CHECK(object_.find(key) == nullptr, "former key is a key:", key);
+  object_.fields.back().former = std::move(key);
 }
 
 void detail::FieldsBase::set_count(const Count& count) {

@@ -86,6 +86,7 @@ struct WordType {
     std::string name;
     std::string help;
     std::int64_t value = 0;
+    std::string former = {};  ///< as it was called before; empty: as now
   };
   std::vector<Word> words;
   std::int64_t (*get)(const void*) = nullptr;
@@ -153,6 +154,7 @@ struct Field {
   TypePtr type;
   std::function<void*(void*)> member;  ///< where in the struct the value stands
   bool required = false;
+  std::string former = {};  ///< as it was called before; empty: as now
 
   const void* in(const void* object) const { return member(const_cast<void*>(object)); }
   void* in(void* object) const { return member(object); }
@@ -199,6 +201,8 @@ struct Object {
   void* (*content)(std::any&) = nullptr;  ///< where the struct stands in such an any
 
   const Field* find(std::string_view key) const;
+  /// The field that was called so before; null: none was.
+  const Field* find_former(std::string_view key) const;
   const void* defaults() const { return content(const_cast<std::any&>(prototype)); }
 };
 

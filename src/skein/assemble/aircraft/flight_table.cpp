@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "skein/base/csv.h"
 #include "skein/scenario/numbers.h"
 #include "skein/scenario/text.h"
 
@@ -48,17 +49,6 @@ constexpr Bounds kBounds[] = {
 };
 static_assert(std::size(kBounds) == kInputColumns.size() + kStateColumns.size());
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
-    text.remove_prefix(1);
-  while (!text.empty() &&
-         (text.back() == ' ' || text.back() == '\t' || text.back() == '\r'))
-    text.remove_suffix(1);
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
-    text = text.substr(1, text.size() - 2);
-  return text;
-}
-
 bool is_column(std::string_view name) {
   return std::any_of(std::begin(kBounds), std::end(kBounds),
                      [&](const Bounds& each) { return each.column == name; });
@@ -68,20 +58,6 @@ bool is_column(std::string_view name) {
 std::string shown(std::string_view cell) {
   return scenario::first_bad_byte(cell) ? "bytes that are no text"
                                         : scenario::quote(cell);
-}
-
-// The cells of a line. A comma within quotation marks parts nothing.
-void split(std::string_view line, std::vector<std::string_view>& cells) {
-  cells.clear();
-  std::size_t begin = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"') quoted = !quoted;
-    if (line[i] != ',' || quoted) continue;
-    cells.push_back(trimmed(line.substr(begin, i - begin)));
-    begin = i + 1;
-  }
-  cells.push_back(trimmed(line.substr(begin)));
 }
 
 }  // namespace
@@ -111,7 +87,9 @@ Result<bool> FlightTableReader::read_line() {
     std::string_view line(buffer_.data(), length);
     if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
     if (trimmed(line).empty()) continue;
-    split(line, cells_);
+    cells_.clear();
+    CsvCells cells(line);
+    while (const auto cell = cells.next()) cells_.push_back(*cell);
     return true;
   }
 }

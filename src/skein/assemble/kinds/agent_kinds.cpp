@@ -85,12 +85,13 @@ Fields<AvoidanceChoice> avoidance_fields() {
               "the largest product of utilities, 1 - cost / 120 s"},
              {"zeuthen", reasoning::DealRule::kZeuthen,
               "by concessions over these utilities: of different owners"}})
-      .word("stranger_room", &T::stranger_room,
-            "What is kept free of the own flight where it meets a stranger.",
+      .word("intruder_room", &T::stranger_room,
+            "What is kept free of the own flight where it meets an intruder.",
             {{"moving", reasoning::StrangerRoom::kMoving,
-              "a cylinder around the stranger, wherever it is"},
+              "a cylinder around the intruder, wherever it is"},
              {"static", reasoning::StrangerRoom::kStatic,
               "an ellipse along its course around where the two would meet"}})
+      .formerly("stranger_room")
       .number("horizontal_m", [](T & t) -> auto& { return t.separation.horizontal; },
               "Kept from others, unless the vertical distance is kept. Of a pair the "
               "larger counts, and how far both are off their plans on top.",

@@ -30,7 +30,7 @@ struct ModemChoice {
   double rate = 100'000;  ///< [bit/s]
   std::size_t queue = 100;
   Time queue_lifetime = Time::from_seconds(5);
-  bool hear = true;
+  bool receive = true;
   bool inject = false;
 };
 

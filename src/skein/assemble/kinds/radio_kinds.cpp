@@ -172,7 +172,7 @@ double range_of(const RadioFile& file) {
 // Where the messages of real entities go by range alone; null: over the medium.
 std::unique_ptr<Radio> by_range(const MediumChoice& choice, const RadioFile& file,
                                 const RadioContext& context) {
-  if (choice.modem->hear) return nullptr;
+  if (choice.modem->receive) return nullptr;
   communication::IdealRadioOptions options;
   options.range = range_of(file);
   return std::make_unique<communication::IdealRadio>(options, context.seed,

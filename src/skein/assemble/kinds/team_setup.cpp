@@ -73,11 +73,11 @@ TeamConfig team_config(const scenario::Scenario& scenario, std::size_t station,
     case TeamSetup::Structure::kNone:
       config.structure = TeamStructure::kNone;
       break;
-    case TeamSetup::Structure::kMaster:
+    case TeamSetup::Structure::kLeader:
       config.structure = TeamStructure::kMaster;
       config.operators = {id};
       break;
-    case TeamSetup::Structure::kFixedMaster:
+    case TeamSetup::Structure::kFixedLeader:
       config.structure = TeamStructure::kFixedMaster;
       config.fixed_master = id;
       break;

@@ -246,7 +246,7 @@ TEST(FlightModelKind, FliesAnOutsidePlantAndDoesTheRunAgainWithoutIt) {
   double off = 0, high = 0, north = 0;
   int motions = 0;
   for (const VehicleReportRecord& each : log.reports)
-    if (const auto* motion = std::get_if<VehicleMotion>(&each.report)) {
+    if (const auto* motion = std::get_if<VehicleMotion>(&each.value)) {
       ++motions;
       off = std::max(off, std::abs(motion->p_N.y()));
       high = std::max(high, std::abs(motion->p_N.z() + 200));

@@ -68,7 +68,7 @@ double share_off(const Ahead& ahead, EntityId aircraft) {
         std::find_if(paths.begin(), paths.end(),
                      [time = time](const auto& each) { return each.time > time; });
     if (next == paths.begin()) continue;
-    off += distance(place, std::prev(next)->path) > 80;
+    off += distance(place, std::prev(next)->value) > 80;
     ++all;
   }
   return off / all;
@@ -107,9 +107,9 @@ commands:
     ASSERT_GT(ahead.paths.at(aircraft).size(), 7u);
     EXPECT_LT(share_off(ahead, aircraft), 0.05);
     for (const FlightPathRecord& each : ahead.paths.at(aircraft)) {
-      ASSERT_FALSE(each.path.points.empty());
+      ASSERT_FALSE(each.value.points.empty());
       EXPECT_TRUE(std::is_sorted(
-          each.path.points.begin(), each.path.points.end(),
+          each.value.points.begin(), each.value.points.end(),
           [](const PathPoint& a, const PathPoint& b) { return a.ahead < b.ahead; }));
     }
   }
@@ -128,11 +128,11 @@ missions: [{{kind: perimeter, name: fire, strategy: {}}}]
                                         strategy));
     ASSERT_FALSE(ahead.reasons.empty());
     for (const TaskReasonRecord& each : ahead.reasons) {
-      EXPECT_EQ(each.by, EntityId{0});  // the station
-      EXPECT_TRUE(each.reason.aircraft == EntityId{1} ||
-                  each.reason.aircraft == EntityId{2});
-      ASSERT_FALSE(each.reason.terms.empty());
-      for (const NamedValue& term : each.reason.terms)
+      EXPECT_EQ(each.id, EntityId{0});  // the station
+      EXPECT_TRUE(each.value.aircraft == EntityId{1} ||
+                  each.value.aircraft == EntityId{2});
+      ASSERT_FALSE(each.value.terms.empty());
+      for (const NamedValue& term : each.value.terms)
         EXPECT_TRUE(std::isfinite(term.value)) << term.name;
     }
   }

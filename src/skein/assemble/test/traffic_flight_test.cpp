@@ -54,13 +54,13 @@ struct Followed {
 Followed followed(const FlightLog& log, std::uint32_t traffic = 0) {
   Followed out;
   for (const TrafficBeliefRecord& record : log.traffic_beliefs) {
-    if (!record.belief.firm) continue;
+    if (!record.value.firm) continue;
     const double error =
-        geo::horizontal(record.belief.position - truth(log, traffic, record.time)).norm();
+        geo::horizontal(record.value.position - truth(log, traffic, record.time)).norm();
     out.error.add(error);
-    out.sigmas.add(error / record.belief.horizontal_sd);
+    out.sigmas.add(error / record.value.horizontal_sd);
     out.firm_from = out.firm_from.value_or(record.time.seconds());
-    out.tracks.insert(record.belief.track);
+    out.tracks.insert(record.value.track);
   }
   return out;
 }
@@ -99,7 +99,7 @@ TEST(TrafficFlight, IsFirmAfterThreeAndKeptForTenSeconds) {
           "join_s: 20, flight: {kind: straight, course_deg: 180}}\n"));
   std::optional<double> firm, last;
   for (const TrafficBeliefRecord& record : log.traffic_beliefs) {
-    if (!record.belief.firm) continue;
+    if (!record.value.firm) continue;
     firm = firm.value_or(record.time.seconds());
     last = record.time.seconds();
   }
@@ -155,11 +155,11 @@ TEST(TrafficFlight, AJumpOfAKilometreIsAnotherAircraft) {
           "address: 77, flight: {kind: straight, course_deg: 180}}\n"));
   std::set<std::uint32_t> tracks;
   for (const TrafficBeliefRecord& record : log.traffic_beliefs)
-    if (record.belief.firm) {
-      tracks.insert(record.belief.track);
-      const std::uint32_t who = record.belief.track == *tracks.begin() ? 0 : 1;
+    if (record.value.firm) {
+      tracks.insert(record.value.track);
+      const std::uint32_t who = record.value.track == *tracks.begin() ? 0 : 1;
       if (who == 0 && record.time.seconds() > 60) continue;  // goes on without it
-      EXPECT_LT((record.belief.position - truth(log, who, record.time)).norm(), 100)
+      EXPECT_LT((record.value.position - truth(log, who, record.time)).norm(), 100)
           << record.time.seconds();
     }
   EXPECT_EQ(tracks.size(), 2u);

@@ -195,7 +195,7 @@ Result<Build> build(const scenario::Scenario& scenario, const KindRegistry& kind
                     std::span<const VehicleReportRecord> recorded) {
   RecordedReports reports;
   for (const VehicleReportRecord& each : recorded)
-    reports[each.id].push_back({each.time, each.report});
+    reports[each.id].push_back({each.time, each.value});
   return build_from(scenario, kinds, &reports);
 }
 

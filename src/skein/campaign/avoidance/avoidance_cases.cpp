@@ -7,10 +7,9 @@
 #include <array>
 #include <functional>
 #include <span>
-#include <sstream>
 
+#include "skein/base/csv.h"
 #include "skein/base/input_file.h"
-#include "skein/campaign/batch/csv_rows.h"
 
 namespace skein::campaign {
 namespace {
@@ -106,7 +105,7 @@ void read_encounter(CsvRow& row, std::vector<AvoidanceCase>& cases) {
                     velocity->head<2>().norm() <= kFastestTraffic))
     return row.report(
         "int_vn_mps",
-        fmt::format("the stranger must fly at 0.01 to {:g} m/s.", kFastestTraffic));
+        fmt::format("the intruder must fly at 0.01 to {:g} m/s.", kFastestTraffic));
   if (velocity && !in_range(row, "int_vd_mps", velocity->z(), -kSteepest, kSteepest))
     return;
   if (which.empty() || !start || !north || !east || !speed || !place || !velocity) return;
@@ -131,15 +130,14 @@ Result<std::vector<AvoidanceCase>> read_avoidance_cases(
 Result<std::vector<AvoidanceCase>> parse_avoidance_cases(const std::string& text,
                                                          const std::string& name) {
   const bool encounters = is_of_encounters(text);
-  std::istringstream rows(text);
   std::vector<AvoidanceCase> cases;
   const std::vector<Error> problems = read_csv(
-      rows, name,
-      encounters ? std::span<const std::string_view>(kEncounterColumns) : kTeamColumns,
+      text, name,
+      {encounters ? std::span<const std::string_view>(kEncounterColumns) : kTeamColumns},
       [&](CsvRow& row) {
         encounters ? read_encounter(row, cases) : read_member(row, cases);
       });
-  if (!problems.empty()) return problems.front();
+  if (auto good = first_problem(problems); !good) return good.error();
   if (cases.empty()) return Error{ErrorCode::kBadInput, name, "has no cases.", ""};
   return cases;
 }

@@ -106,7 +106,7 @@ std::string scenario_of(const AvoidanceStudy& study, const AvoidanceCase& flown)
         "  - name: a{}\n    {}\n    altitude_agl_m: {:.17g}\n"
         "    agent: {{kind: direct, point_m: [{:.17g}, {:.17g}], altitude_msl_m: "
         "{:.17g}, airspeed_mps: {:.17g}, stays: false, "
-        "avoidance: {{method: {}, deal: {}, stranger_room: {}, horizontal_m: {:.17g}, "
+        "avoidance: {{method: {}, deal: {}, intruder_room: {}, horizontal_m: {:.17g}, "
         "vertical_m: {:.17g}, horizon_s: {:.17g}}}}}\n"
         "    start: {{placement: list, positions_m: [[{:.17g}, {:.17g}]], "
         "altitude_msl_m: {:.17g}, heading_deg: {:.17g}}}\n",

@@ -95,7 +95,7 @@ void AvoidanceWatch::take(const MessageRecord& record) {
 
 void AvoidanceWatch::take(const ConflictRecord& conflict) {
   conflicts_ += 1;
-  const ConflictReport& report = conflict.report;
+  const ConflictReport& report = conflict.value;
   if (report.method == SeparationMethod::kNegotiated) deals_ += 0.5;
   if (report.method == SeparationMethod::kNone) return;
   // Seen so late that it could not have been fixed earlier, it does not count.

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <utility>
 
-#include "skein/campaign/batch/csv_rows.h"
+#include "skein/base/csv.h"
 #include "skein/model/probability/half_space_update.h"
 #include "skein/model/probability/range_rule.h"
 
@@ -41,7 +41,7 @@ constexpr std::array<std::string_view, 5> kCaseColumns = {"kind", "mu", "sigma",
 std::optional<double> finite(CsvRow& row, std::string_view column) {
   const auto value = row.number(column);
   if (value && std::isinf(*value)) {
-    row.report(column, "must be finite");
+    row.report(column, "must be finite.");
     return std::nullopt;
   }
   return value;
@@ -50,7 +50,7 @@ std::optional<double> finite(CsvRow& row, std::string_view column) {
 std::optional<double> positive(CsvRow& row, std::string_view column,
                                std::optional<double> value) {
   if (value && !(*value > 0 && std::isfinite(*value))) {
-    row.report(column, fmt::format("{} must be above 0 and finite", *value));
+    row.report(column, fmt::format("{} must be above 0 and finite.", *value));
     return std::nullopt;
   }
   return value;
@@ -67,7 +67,7 @@ std::optional<Case> read_case(CsvRow& row) {
   if (!mu || !sigma || !lower || !upper || sigma_v.has_value() != c.sigma_v.has_value())
     return std::nullopt;
   if (!(*lower < *upper)) {
-    row.report("lower", fmt::format("{} must be below upper, {}", *lower, *upper));
+    row.report("lower", fmt::format("{} must be below upper, {}.", *lower, *upper));
     return std::nullopt;
   }
   c.mu = *mu;
@@ -79,9 +79,9 @@ std::optional<Case> read_case(CsvRow& row) {
 // Whether the case has what the rules MLE and MAP need.
 bool has_noisy_bound(CsvRow& row, const Case& c) {
   if (!c.one_sided())
-    row.report("upper", c.kind + " needs one infinite and one finite bound");
+    row.report("upper", c.kind + " needs one infinite and one finite bound.");
   else if (!c.sigma_v)
-    row.report("sigma_v", c.kind + " needs a number here");
+    row.report("sigma_v", c.kind + " needs a number here.");
   else
     return true;
   return false;
@@ -117,7 +117,7 @@ std::optional<Values> evaluate_case(CsvRow& row, Case c,
   if (c.kind == "TN") return evaluate_tn(c);
   const model::SigmaPoints points = model::ukf_points(c.mu, c.sigma, c.bounds);
   if (c.kind == "UKF") return Values{points.low, points.high, points.mean()};
-  if (c.kind == "COV_UKF") return evaluate_second_moment(c, points.mean());
+  if (c.kind == "COV_UKF.") return evaluate_second_moment(c, points.mean());
   if (c.kind == "MAP") {
     if (!has_noisy_bound(row, c)) return std::nullopt;
     return Values{map_of(c), mle_of(c)};
@@ -132,7 +132,7 @@ std::optional<Values> evaluate_case(CsvRow& row, Case c,
     return evaluate_second_moment(c, c.kind == "COV_MLE" ? mle_of(c) : map_of(c));
   }
   row.report("kind",
-             fmt::format("\"{}\" is none of TN, MAP, UKF, COV_MLE, COV_MAP, COV_UKF",
+             fmt::format("\"{}\" is none of TN, MAP, UKF, COV_MLE, COV_MAP, COV_UKF.",
                          c.kind.substr(0, 40)));
   return std::nullopt;
 }
@@ -140,7 +140,7 @@ std::optional<Values> evaluate_case(CsvRow& row, Case c,
 bool all_finite(CsvRow& row, const Values& values) {
   for (double value : values)
     if (!std::isfinite(value)) {
-      row.report("", "the result is beyond the range of numbers");
+      row.report("", "the result is beyond the range of numbers.");
       return false;
     }
   return true;
@@ -173,7 +173,7 @@ std::optional<Update> read_update(CsvRow& row) {
   if (!good) return std::nullopt;
   for (std::size_t i : {17u, 18u})
     if (v[i] != 0 && v[i] != 1) {
-      row.report(kUpdateColumns[i], fmt::format("{} must be 0 or 1", v[i]));
+      row.report(kUpdateColumns[i], fmt::format("{} must be 0 or 1.", v[i]));
       return std::nullopt;
     }
   Update update;
@@ -186,7 +186,7 @@ std::optional<Update> read_update(CsvRow& row) {
   update.noise = v[16];
   update.side = model::side_of(v[17] == 1, v[18] == 1);
   if (update.noise < 0) {
-    row.report("R", fmt::format("{} must not be negative", update.noise));
+    row.report("R", fmt::format("{} must not be negative.", update.noise));
     return std::nullopt;
   }
   // Relative to the largest: rounding of the printed numbers is no error.
@@ -194,7 +194,7 @@ std::optional<Update> read_update(CsvRow& row) {
                                                              Eigen::EigenvaluesOnly);
   if (!(eigen.eigenvalues().minCoeff() >=
         -1e-9 * eigen.eigenvalues().cwiseAbs().maxCoeff())) {
-    row.report("P00", "P00..P33 is not a covariance: it has a negative eigenvalue");
+    row.report("P00", "P00..P33 is not a covariance: it has a negative eigenvalue.");
     return std::nullopt;
   }
   return update;
@@ -203,11 +203,11 @@ std::optional<Update> read_update(CsvRow& row) {
 std::optional<Values> evaluate_update(CsvRow& row, Update update) {
   const model::LineOfSight seen = look_at(update.point, update.aircraft, update.noise);
   if (!(seen.range > 0)) {
-    row.report("ux", "the aircraft is at the control point: there is no line of sight");
+    row.report("ux", "the aircraft is at the control point: there is no line of sight.");
     return std::nullopt;
   }
   if (!(seen.variance > 0)) {
-    row.report("R", "the range is certain (S = 0): nothing can be learned");
+    row.report("R", "the range is certain (S = 0): nothing can be learned.");
     return std::nullopt;
   }
   const Moments range =
@@ -221,11 +221,11 @@ std::optional<Values> evaluate_update(CsvRow& row, Update update) {
 
 }  // namespace
 
-std::vector<Error> evaluate_cases(std::istream& in, const std::string& name,
+std::vector<Error> evaluate_cases(std::string_view table, const std::string& name,
                                   std::ostream& out) {
   std::string text = "kind,mu,sigma,lower,upper,sigma_v,v1,v2,v3,v4\n";
   std::optional<double> last_sigma_v;
-  std::vector<Error> problems = read_csv(in, name, kCaseColumns, [&](CsvRow& row) {
+  std::vector<Error> problems = read_csv(table, name, {kCaseColumns}, [&](CsvRow& row) {
     const auto c = read_case(row);
     if (!c) return;
     if (c->sigma_v) last_sigma_v = c->sigma_v;
@@ -242,11 +242,11 @@ std::vector<Error> evaluate_cases(std::istream& in, const std::string& name,
   return problems;
 }
 
-std::vector<Error> evaluate_updates(std::istream& in, const std::string& name,
+std::vector<Error> evaluate_updates(std::string_view table, const std::string& name,
                                     std::ostream& out) {
   std::string text =
       fmt::format("{},{}\n", fmt::join(kUpdateColumns, ","), kUpdateResults);
-  std::vector<Error> problems = read_csv(in, name, kUpdateColumns, [&](CsvRow& row) {
+  std::vector<Error> problems = read_csv(table, name, {kUpdateColumns}, [&](CsvRow& row) {
     const auto update = read_update(row);
     if (!update) return;
     const auto values = evaluate_update(row, *update);

@@ -3,6 +3,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "skein/base/result.h"
@@ -27,11 +28,11 @@ namespace skein::campaign {
 /// sigma_v empty, its z* is the given v1, or else comes with the sigma_v of the last row
 /// that had one.
 ///
-/// @param name  of the input, for messages.
+/// @param table  the text.
+/// @param name   of the input, for messages.
 /// @returns problems, each with place "name:line" and the column; if there are any,
-/// nothing
-///          is written.
-std::vector<Error> evaluate_cases(std::istream& in, const std::string& name,
+///          nothing is written.
+std::vector<Error> evaluate_cases(std::string_view table, const std::string& name,
                                   std::ostream& out);
 
 /// `skein study estimators --updates`: whole QKF updates of one control point, without a
@@ -42,7 +43,7 @@ std::vector<Error> evaluate_cases(std::istream& in, const std::string& name,
 /// Out: those, then lower, upper (the bounds), mu_a, S (predicted range and its
 /// variance), z_mean, z_var (given the bounds), px1, py1, vx1, vy1, Q00..Q33 (posterior).
 /// SI units. Parameters and result as for evaluate_cases().
-std::vector<Error> evaluate_updates(std::istream& in, const std::string& name,
+std::vector<Error> evaluate_updates(std::string_view table, const std::string& name,
                                     std::ostream& out);
 
 }  // namespace skein::campaign

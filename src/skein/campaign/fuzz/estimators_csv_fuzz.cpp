@@ -11,7 +11,7 @@
 // command, so that one corpus serves both.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  std::istringstream in(std::string(data + 1, data + size));
+  const std::string in(data + 1, data + size);
   std::ostringstream out;
   const auto problems = data[0] % 2 == 0
                             ? skein::campaign::evaluate_cases(in, "fuzz", out)

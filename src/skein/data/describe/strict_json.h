@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <cstdint>
 #include <initializer_list>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "skein/base/result.h"
@@ -23,7 +19,7 @@
 /// Includes all of the JSON library: for source files only.
 namespace skein::strict_json {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;  // objects keep the order of the text
 
 /// What is wrong with a document; at most kMaxProblems are kept.
 class Problems {
@@ -44,46 +40,10 @@ class Problems {
   std::size_t count_ = 0;
 };
 
-/// Watches a parser, of either kind of JSON, for what it would pass over in silence: a
-/// key twice in one object, of which it keeps one, and nesting that is too deep.
-template <class AnyJson>
-class ParserWatch {
- public:
-  /// @param max_nesting  of lists and objects in each other.
-  explicit ParserWatch(int max_nesting = std::numeric_limits<int>::max())
-      : max_nesting_(max_nesting) {}
+constexpr int kMaxNesting = 64;  ///< of lists and objects in each other
 
-  bool operator()(int depth, typename AnyJson::parse_event_t event, AnyJson& part) {
-    using Event = typename AnyJson::parse_event_t;
-    too_deep_ = too_deep_ || depth > max_nesting_;
-    if (event == Event::object_start) open_.emplace_back();
-    if (event == Event::object_end && !open_.empty()) open_.pop_back();
-    if (event == Event::key && !open_.empty()) {
-      auto key = part.template get<std::string>();
-      if (!open_.back().insert(key).second && !twice_) twice_ = std::move(key);
-    }
-    return true;
-  }
-
-  /// What is wrong; empty when nothing is.
-  std::string problem() const {
-    constexpr std::size_t kShown = 60;
-    if (too_deep_) return fmt::format("it nests more than {} deep.", max_nesting_);
-    if (twice_)
-      return fmt::format("the key \"{}\" stands twice in an object.",
-                         twice_->substr(0, kShown));
-    return {};
-  }
-
- private:
-  int max_nesting_;
-  std::vector<std::set<std::string>> open_;  // keys of the objects around
-  std::optional<std::string> twice_;
-  bool too_deep_ = false;
-};
-
-/// The document; none when it is no JSON or a key stands twice in an object, which is
-/// then among the problems.
+/// The document; none, and a problem, when it is no JSON, nests more than kMaxNesting
+/// deep, or has a key twice in an object.
 std::optional<Json> parse(std::string_view text, Problems& problems);
 
 /// A value in a document, and its path there.
@@ -103,6 +63,9 @@ class Value {
   bool has(std::string_view key) const { return json_->contains(key); }
   /// The value of a key that is there.
   Value at(std::string_view key) const;
+  /// The path of a key, whether it is there or not.
+  std::string path_of(std::string_view key) const;
+  Problems& problems() const { return *problems_; }
 
   /// The items of a list of at most `max_items`; reports when it is none.
   std::vector<Value> items(std::size_t max_items) const;
@@ -118,6 +81,44 @@ class Value {
   const Json* json_;
   std::string path_;
   Problems* problems_;
+};
+
+/// Takes the fields of one object. What is missing, of another type or out of its range
+/// is a problem, and the value then is harmless; so is, at the end, a key that nobody
+/// asked for.
+class Fields {
+ public:
+  explicit Fields(const Value& object);
+  ~Fields();
+  Fields(const Fields&) = delete;
+  Fields& operator=(const Fields&) = delete;
+
+  bool has(std::string_view key);
+  /// A number within [min, max]; without it `otherwise`, where that is given.
+  double number(std::string_view key, double min, double max,
+                std::optional<double> otherwise = {});
+  /// A whole number within [min, max].
+  std::int64_t whole(std::string_view key, std::int64_t min, std::int64_t max);
+  bool flag(std::string_view key, bool otherwise);
+  /// A text that is not empty; without it `otherwise`, where that is given.
+  std::string text(std::string_view key,
+                   const std::optional<std::string>& otherwise = {});
+  /// The index of one of `words`.
+  std::size_t word(std::string_view key, const std::vector<std::string>& words,
+                   std::optional<std::size_t> otherwise = {});
+  /// The value of a key; none, and a problem unless it is optional, where it is missing.
+  std::optional<Value> value(std::string_view key, bool optional = false);
+  /// The items of a list; none where it is missing.
+  std::vector<Value> items(std::string_view key, std::size_t max_items,
+                           bool optional = false);
+  /// The keys of an object that is the value of a key, with their values.
+  std::vector<std::pair<std::string, Value>> members(std::string_view key,
+                                                     std::size_t max_members);
+  void problem(std::string_view key, const std::string& message);
+
+ private:
+  Value object_;
+  std::vector<std::string> requested_;
 };
 
 }  // namespace skein::strict_json

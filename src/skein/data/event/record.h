@@ -12,6 +12,7 @@
 #include "skein/data/describe/describe.h"
 #include "skein/data/event/event.h"
 #include "skein/data/event/plugin_record.h"
+#include "skein/data/event/stamped.h"
 #include "skein/data/perimeter/fire.h"
 #include "skein/data/perimeter/object.h"
 #include "skein/data/perimeter/observation.h"
@@ -133,35 +134,26 @@ constexpr auto describe(const PerimeterRecord*) {
       field("phenomenon", &T::phenomenon, "whose boundary it is"));
 }
 
-/// What is believed of an object at one time.
-struct ObjectBeliefRecord {
-  Time time;
-  EntityId believer;
-  ObjectBelief belief;
-};
+using ObjectBeliefRecord = Stamped<ObjectBelief>;
 
-constexpr auto describe(const ObjectBeliefRecord*) {
-  using T = ObjectBeliefRecord;
-  return described<T>(
-      {"object_belief", "object_beliefs"}, "What a mission believes of an object.",
-      field("time", &T::time, "when"), field("believer_id", &T::believer, "whose belief"),
-      field("", &T::belief, "of which object, and what"));
+constexpr StampedWords stamped_words(const ObjectBelief*) {
+  return {{"object_belief", "object_beliefs"},
+          "What a mission believes of an object.",
+          "when",
+          "believer_id",
+          "whose belief",
+          "of which object, and what"};
 }
 
-/// A mission begins, is paused, goes on or is over.
-struct MissionRecord {
-  Time time;
-  EntityId station;
-  MissionChange change;
-};
+using MissionRecord = Stamped<MissionChange>;
 
-constexpr auto describe(const MissionRecord*) {
-  using T = MissionRecord;
-  return described<T>({"mission", "missions"},
-                      "A mission begins, is paused, goes on or is over.",
-                      field("time", &T::time, "when"),
-                      field("station_id", &T::station, "that pursues it"),
-                      field("", &T::change, "which mission, and how"));
+constexpr StampedWords stamped_words(const MissionChange*) {
+  return {{"mission", "missions"},
+          "A mission begins, is paused, goes on or is over.",
+          "when",
+          "station_id",
+          "that pursues it",
+          "which mission, and how"};
 }
 
 /// A forecast of a boundary.
@@ -204,71 +196,50 @@ constexpr auto describe(const ZoneRecord*) {
                       field("", &T::change, "which zone, and how"));
 }
 
-/// A planner on board does something else from now on.
-struct PlannerRecord {
-  Time time;
-  EntityId id;
-  PlannerChange change;
-};
+using PlannerRecord = Stamped<PlannerChange>;
 
-constexpr auto describe(const PlannerRecord*) {
-  using T = PlannerRecord;
-  return described<T>(
+constexpr StampedWords stamped_words(const PlannerChange*) {
+  return {
       {"planner", "planners"},
       "What the planners on board make of what shall be flown, whenever that changes.",
-      field("time", &T::time, "from when on"),
-      field("entity_id", &T::id, "whose planner"),
-      field("", &T::change, "which planner, and what it does"));
+      "from when on",
+      "entity_id",
+      "whose planner",
+      "which planner, and what it does"};
 }
 
-/// A conflict between two aircraft is over.
-struct ConflictRecord {
-  Time time;
-  EntityId id;
-  ConflictReport report;
-};
+using ConflictRecord = Stamped<ConflictReport>;
 
-constexpr auto describe(const ConflictRecord*) {
-  using T = ConflictRecord;
-  return described<T>(
-      {"conflict", "conflicts"},
-      "A conflict between two aircraft that is over, as one of them saw it.",
-      field("time", &T::time, "when it was over"),
-      field("entity_id", &T::id, "who saw it"),
-      field("", &T::report, "with whom, and what was done"));
+constexpr StampedWords stamped_words(const ConflictReport*) {
+  return {{"conflict", "conflicts"},
+          "A conflict between two aircraft that is over, as one of them saw it.",
+          "when it was over",
+          "entity_id",
+          "who saw it",
+          "with whom, and what was done"};
 }
 
-/// What a vehicle behind a link has said, when the run took it in.
-struct VehicleReportRecord {
-  Time time;
-  EntityId id;
-  VehicleReport report;
-};
+using VehicleReportRecord = Stamped<VehicleReport>;
 
-constexpr auto describe(const VehicleReportRecord*) {
-  using T = VehicleReportRecord;
-  return described<T>(
-      {"vehicle_report", "vehicle_reports"},
-      "What a vehicle behind a link has said: all that a run is told from outside.",
-      field("time", &T::time, "of the step that took it in"),
-      field("entity_id", &T::id, "whose"),
-      field("", &T::report, Storage::kCoded, "what it said"));
+constexpr StampedWords stamped_words(const VehicleReport*) {
+  return {{"vehicle_report", "vehicle_reports"},
+          "What a vehicle behind a link has said: all that a run is told from outside.",
+          "of the step that took it in",
+          "entity_id",
+          "whose",
+          "what it said",
+          true};
 }
 
-/// Where an aircraft is in its stored mission, from now on.
-struct MissionProgressRecord {
-  Time time;
-  EntityId id;
-  MissionProgress progress;
-};
+using MissionProgressRecord = Stamped<MissionProgress>;
 
-constexpr auto describe(const MissionProgressRecord*) {
-  using T = MissionProgressRecord;
-  return described<T>({"mission_progress", "mission_progress"},
-                      "Where an aircraft is in its stored mission.",
-                      field("time", &T::time, "from when on"),
-                      field("entity_id", &T::id, "whose mission"),
-                      field("", &T::progress, "the item"));
+constexpr StampedWords stamped_words(const MissionProgress*) {
+  return {{"mission_progress", "mission_progress"},
+          "Where an aircraft is in its stored mission.",
+          "from when on",
+          "entity_id",
+          "whose mission",
+          "the item"};
 }
 
 /// What became of an observation in the server's memory of the physical world: the newest
@@ -289,115 +260,77 @@ constexpr auto describe(const ObservationRecord*) {
       field("fate", &T::fate, "what became of it"));
 }
 
-/// What is believed on board of another aircraft at one time.
-struct TrafficBeliefRecord {
-  Time time;
-  EntityId believer;
-  TrafficBelief belief;
-};
+using TrafficBeliefRecord = Stamped<TrafficBelief>;
 
-constexpr auto describe(const TrafficBeliefRecord*) {
-  using T = TrafficBeliefRecord;
-  return described<T>({"traffic_track", "traffic_tracks"},
-                      "What is believed on board of another aircraft, once a second.",
-                      field("time", &T::time, "when"),
-                      field("believer_id", &T::believer, "whose belief"),
-                      field("", &T::belief, "of which aircraft, and what"));
+constexpr StampedWords stamped_words(const TrafficBelief*) {
+  return {{"traffic_track", "traffic_tracks"},
+          "What is believed on board of another aircraft, once a second.",
+          "when",
+          "believer_id",
+          "whose belief",
+          "of which aircraft, and what"};
 }
 
-/// Who leads a member of a team, from now on.
-struct TeamLeadRecord {
-  Time time;
-  EntityId id;
-  TeamLead lead;
-};
+using TeamLeadRecord = Stamped<TeamLead>;
 
-constexpr auto describe(const TeamLeadRecord*) {
-  using T = TeamLeadRecord;
-  return described<T>(
-      {"team_lead", "team_leads"}, "Who leads a member of a team, as it believes itself.",
-      field("time", &T::time, "from when on"), field("entity_id", &T::id, "which member"),
-      field("", &T::lead, "who leads it, and why"));
+constexpr StampedWords stamped_words(const TeamLead*) {
+  return {{"team_lead", "team_leads"},
+          "Who leads a member of a team, as it believes itself.",
+          "from when on",
+          "entity_id",
+          "which member",
+          "who leads it, and why"};
 }
 
-/// The level of an alert changes.
-struct AlertRecord {
-  Time time;
-  EntityId id;
-  TrafficAlert alert;
-};
+using AlertRecord = Stamped<TrafficAlert>;
 
-constexpr auto describe(const AlertRecord*) {
-  using T = AlertRecord;
-  return described<T>({"alert", "alerts"},
-                      "An alert about another aircraft, whenever its level changes.",
-                      field("time", &T::time, "from when on"),
-                      field("entity_id", &T::id, "who is alerted"),
-                      field("", &T::alert, "to which aircraft, and how"));
+constexpr StampedWords stamped_words(const TrafficAlert*) {
+  return {
+      {"alert", "alerts"}, "An alert about another aircraft, whenever its level changes.",
+      "from when on",      "entity_id",
+      "who is alerted",    "to which aircraft, and how"};
 }
 
-/// What an aircraft may fly now.
-struct BandRecord {
-  Time time;
-  EntityId id;
-  FlightBands bands;
-};
+using BandRecord = Stamped<FlightBands>;
 
-constexpr auto describe(const BandRecord*) {
-  using T = BandRecord;
-  return described<T>(
-      {"band", "bands"},
-      "What an aircraft may fly while an alert stands, once a second; none: level 0.",
-      field("time", &T::time, "when"), field("entity_id", &T::id, "which aircraft"),
-      field("", &T::bands, "what leads into conflict"));
+constexpr StampedWords stamped_words(const FlightBands*) {
+  return {{"band", "bands"},
+          "What an aircraft may fly while an alert stands, once a second; none: level 0.",
+          "when",
+          "entity_id",
+          "which aircraft",
+          "what leads into conflict"};
 }
 
-/// What becomes of a path that is recommended to a pilot.
-struct RecommendationRecord {
-  Time time;
-  EntityId id;
-  Recommendation recommendation;
-};
+using RecommendationRecord = Stamped<Recommendation>;
 
-constexpr auto describe(const RecommendationRecord*) {
-  using T = RecommendationRecord;
-  return described<T>({"recommendation_change", "recommendations"},
-                      "What becomes of a path that is recommended to the pilot on board.",
-                      field("time", &T::time, "when"),
-                      field("entity_id", &T::id, "which aircraft"),
-                      field("", &T::recommendation, "which path"));
+constexpr StampedWords stamped_words(const Recommendation*) {
+  return {{"recommendation_change", "recommendations"},
+          "What becomes of a path that is recommended to the pilot on board.",
+          "when",
+          "entity_id",
+          "which aircraft",
+          "which path"};
 }
 
-/// What becomes of an allocation of a team's tasks.
-struct TeamAllocationRecord {
-  Time time;
-  EntityId id;
-  TeamAllocationReport report;
-};
+using TeamAllocationRecord = Stamped<TeamAllocationReport>;
 
-constexpr auto describe(const TeamAllocationRecord*) {
-  using T = TeamAllocationRecord;
-  return described<T>(
-      {"team_allocation", "team_allocations"},
-      "What becomes of an allocation of a team's tasks, as its leader says it; as its "
-      "operator's station, where the leader was lost first.",
-      field("time", &T::time, "when"), field("entity_id", &T::id, "who says so"),
-      field("", &T::report, "which allocation, and what becomes of it"));
+constexpr StampedWords stamped_words(const TeamAllocationReport*) {
+  return {{"team_allocation", "team_allocations"},
+          "What becomes of an allocation of a team's tasks, as its leader says it; as "
+          "its operator's station, where the leader was lost first.",
+          "when",
+          "entity_id",
+          "who says so",
+          "which allocation, and what becomes of it"};
 }
 
-/// What a radio did in a while.
-struct RadioUseRecord {
-  Time time;
-  EntityId id;
-  RadioUse use;
-};
+using RadioUseRecord = Stamped<RadioUse>;
 
-constexpr auto describe(const RadioUseRecord*) {
-  using T = RadioUseRecord;
-  return described<T>(
-      {"radio", "radios"}, "What the radio of an entity did since the row before.",
-      field("time", &T::time, "the end"), field("entity_id", &T::id, "whose radio"),
-      field("", &T::use, "what it did"));
+constexpr StampedWords stamped_words(const RadioUse*) {
+  return {{"radio", "radios"}, "What the radio of an entity did since the row before.",
+          "the end",           "entity_id",
+          "whose radio",       "what it did"};
 }
 
 /// How well one radio heard another in a while.
@@ -416,52 +349,37 @@ constexpr auto describe(const LinkUseRecord*) {
                       field("", &T::use, "who heard whom, and how"));
 }
 
-/// How an aircraft expects to fly: recorded when that changes.
-struct FlightPathRecord {
-  Time time;
-  EntityId id;
-  FlightPath path;
-};
+using FlightPathRecord = Stamped<FlightPath>;
 
-constexpr auto describe(const FlightPathRecord*) {
-  using T = FlightPathRecord;
-  return described<T>({"flight_path", "flight_paths"},
-                      "How an aircraft expects to fly: said when that changes.",
-                      field("time", &T::time, "when it was planned"),
-                      field("entity_id", &T::id, "which aircraft"),
-                      field("", &T::path, "where it leads"));
+constexpr StampedWords stamped_words(const FlightPath*) {
+  return {{"flight_path", "flight_paths"},
+          "How an aircraft expects to fly: said when that changes.",
+          "when it was planned",
+          "entity_id",
+          "which aircraft",
+          "where it leads"};
 }
 
-/// Why an aircraft has its task, as who gave it says.
-struct TaskReasonRecord {
-  Time time;
-  EntityId by;
-  TaskReason reason;
-};
+using TaskReasonRecord = Stamped<TaskReason>;
 
-constexpr auto describe(const TaskReasonRecord*) {
-  using T = TaskReasonRecord;
-  return described<T>({"task_reason", "task_reasons"},
-                      "Why an aircraft was given its task: the terms that have decided.",
-                      field("time", &T::time, "when"),
-                      field("entity_id", &T::by, "who has given it"),
-                      field("", &T::reason, "to whom, and why"));
+constexpr StampedWords stamped_words(const TaskReason*) {
+  return {{"task_reason", "task_reasons"},
+          "Why an aircraft was given its task: the terms that have decided.",
+          "when",
+          "entity_id",
+          "who has given it",
+          "to whom, and why"};
 }
 
-/// How far a task of a team is.
-struct TeamTaskRecord {
-  Time time;
-  EntityId id;
-  TeamTaskReport report;
-};
+using TeamTaskRecord = Stamped<TeamTaskReport>;
 
-constexpr auto describe(const TeamTaskRecord*) {
-  using T = TeamTaskRecord;
-  return described<T>({"team_task_change", "team_tasks"},
-                      "How far a task of a team is: said when that changes.",
-                      field("time", &T::time, "when"),
-                      field("entity_id", &T::id, "which station has heard so"),
-                      field("", &T::report, "which task, and how far it is"));
+constexpr StampedWords stamped_words(const TeamTaskReport*) {
+  return {{"team_task_change", "team_tasks"},
+          "How far a task of a team is: said when that changes.",
+          "when",
+          "entity_id",
+          "which station has heard so",
+          "which task, and how far it is"};
 }
 
 /// Everything that a Recorder is given. New kinds go to the end: the place in this list

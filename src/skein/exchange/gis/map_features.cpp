@@ -13,11 +13,11 @@
 #include <filesystem>
 #include <memory>
 
+#include "skein/base/csv.h"
 #include "skein/base/input_file.h"
 #include "skein/base/valid_text.h"
 #include "skein/exchange/gis/ground_plan.h"
 #include "skein/exchange/gis/map_geometry.h"
-#include "skein/exchange/table/csv_cells.h"
 #include "skein/geo/gdal/gdal_guard.h"
 #include "skein/geo/gdal/gdal_handles.h"
 #include "skein/geo/gdal/vector_files.h"

@@ -10,8 +10,7 @@
 #include <optional>
 #include <unordered_set>
 
-#include "skein/exchange/table/csv_cells.h"
-#include "skein/exchange/table/csv_table.h"
+#include "skein/base/csv.h"
 
 namespace skein::exchange {
 namespace {
@@ -46,13 +45,14 @@ std::optional<std::uint32_t> place_of(const NetworkCase& network, std::uint64_t 
   return static_cast<std::uint32_t>(at - network.names.begin());
 }
 
-Result<std::uint32_t> node_in(const CsvRow& row, std::size_t column,
-                              const NetworkCase& network) {
+// The place of a node in the case that a cell names; none, reported, where there is none.
+std::optional<std::uint32_t> node_in(CsvRow& row, std::string_view column,
+                                     const NetworkCase& network) {
   const auto name = row.whole(column, kMaxNodeNumber);
-  if (!name) return name.error();
-  const auto place = place_of(network, name.value());
-  if (!place) return row.wrong(fmt::format("there is no node {}.", name.value()));
-  return *place;
+  if (!name) return std::nullopt;
+  const auto place = place_of(network, *name);
+  if (!place) row.report(column, fmt::format("there is no node {}.", *name));
+  return place;
 }
 
 // The words of an ns-2 line; brackets, quotation marks and dollar signs are no words.
@@ -235,42 +235,33 @@ class Ns2Reader {
 
 Result<void> read_network_nodes(std::string_view text, const std::string& place,
                                 NetworkCase& network) {
-  enum { kNode, kTime, kX, kY, kZ, kPower };
-  constexpr std::array<CsvColumn, 6> kColumns = {
-      CsvColumn{"node"}, {"time_s"}, {"x_m"}, {"y_m"}, {"z_m"}, {"power_dbm", false}};
+  constexpr std::array<std::string_view, 5> kRequired = {"node", "time_s", "x_m", "y_m",
+                                                         "z_m"};
+  constexpr std::array<std::string_view, 1> kOptional = {"power_dbm"};
   NumberedNodes nodes;
-  auto good =
-      read_csv_table(text, place, kColumns, [&](const CsvRow& row) -> Result<void> {
-        const auto name = row.whole(kNode, kMaxNodeNumber);
-        if (!name) return name.error();
-        const auto time = row.number(kTime, 0, kMaxNetworkTime);
-        if (!time) return time.error();
-        std::array<double, 3> at{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const auto value = row.number(kX + axis, -kMaxNodePlace, kMaxNodePlace);
-          if (!value) return value.error();
-          at[axis] = value.value();
-        }
-        const bool is_new = !nodes.contains(static_cast<std::uint32_t>(name.value()));
-        if (is_new && nodes.size() >= kMaxNodes)
-          return row.wrong(fmt::format("there are more than {} nodes.", kMaxNodes));
-        NodeTrack& track = nodes[static_cast<std::uint32_t>(name.value())];
-        std::optional<double> power;
-        if (!row.text(kPower).empty()) {
-          const auto value = row.number(kPower, -200, kMaxNodePower);
-          if (!value) return value.error();
-          power = value.value();
-        }
-        if (!is_new && power != track.transmit_power_dbm)
-          return row.wrong("power_dbm differs from that of the node's first row.");
-        track.transmit_power_dbm = power;
-        const Time moment = Time::from_seconds(time.value());
-        if (!is_new && moment <= track.points.back().time)
-          return row.wrong("the rows of a node are in order of time.");
-        track.points.push_back({moment, Vec3(at[0], at[1], -at[2])});
-        return {};
-      });
-  if (!good) return good;
+  const auto problems = read_csv(text, place, {kRequired, kOptional}, [&](CsvRow& row) {
+    const auto name = row.whole("node", kMaxNodeNumber);
+    const auto time = row.number("time_s", 0, kMaxNetworkTime);
+    const auto x = row.number("x_m", -kMaxNodePlace, kMaxNodePlace);
+    const auto y = row.number("y_m", -kMaxNodePlace, kMaxNodePlace);
+    const auto z = row.number("z_m", -kMaxNodePlace, kMaxNodePlace);
+    const bool has_power = !row.text("power_dbm").empty();
+    std::optional<double> power;
+    if (has_power) power = row.number("power_dbm", -200, kMaxNodePower);
+    if (!name || !time || !x || !y || !z || has_power != power.has_value()) return;
+    const bool is_new = !nodes.contains(static_cast<std::uint32_t>(*name));
+    if (is_new && nodes.size() >= kMaxNodes)
+      return row.report("node", fmt::format("there are more than {} nodes.", kMaxNodes));
+    NodeTrack& track = nodes[static_cast<std::uint32_t>(*name)];
+    if (!is_new && power != track.transmit_power_dbm)
+      return row.report("power_dbm", "differs from that of the node's first row.");
+    track.transmit_power_dbm = power;
+    const Time moment = Time::from_seconds(*time);
+    if (!is_new && moment <= track.points.back().time)
+      return row.report("time_s", "the rows of a node are in order of time.");
+    track.points.push_back({moment, Vec3(*x, *y, -*z)});
+  });
+  if (auto good = first_problem(problems); !good) return good;
   return take_nodes(std::move(nodes), place, network);
 }
 
@@ -290,38 +281,29 @@ Result<void> read_ns2_movement(std::string_view text, const std::string& place,
 
 Result<void> read_network_traffic(std::string_view text, const std::string& place,
                                   NetworkCase& network) {
-  enum { kMessage, kTime, kFrom, kTo, kBytes };
-  constexpr std::array<CsvColumn, 5> kColumns = {
-      CsvColumn{"message"}, {"time_s"}, {"from"}, {"to"}, {"bytes"}};
+  constexpr std::array<std::string_view, 5> kRequired = {"message", "time_s", "from",
+                                                         "to", "bytes"};
   network.traffic.clear();
   std::unordered_set<std::uint64_t> numbers;
-  return read_csv_table(text, place, kColumns, [&](const CsvRow& row) -> Result<void> {
-    const auto number = row.whole(kMessage, kMaxMessageNumber);
-    if (!number) return number.error();
-    if (!numbers.insert(number.value()).second)
-      return row.wrong(fmt::format("message {} is there twice.", number.value()));
-    const auto time = row.number(kTime, 0, kMaxNetworkTime);
-    if (!time) return time.error();
-    const auto from = node_in(row, kFrom, network);
-    if (!from) return from.error();
-    TrafficItem item{number.value(), Time::from_seconds(time.value()), from.value(),
-                     kAllNodesOfCase, 0};
-    if (row.text(kTo) != "*") {
-      const auto to = node_in(row, kTo, network);
-      if (!to) return to.error();
-      if (to.value() == item.from)
-        return row.wrong(
-            fmt::format("node {} sends to itself.", network.names[item.from]));
-      item.to = to.value();
-    }
-    const auto bytes = row.whole(kBytes, kMaxPacketBytes);
-    if (!bytes) return bytes.error();
-    item.bytes = static_cast<std::uint32_t>(bytes.value());
+  return first_problem(read_csv(text, place, {kRequired}, [&](CsvRow& row) {
+    const auto number = row.whole("message", kMaxMessageNumber);
+    const auto time = row.number("time_s", 0, kMaxNetworkTime);
+    const auto from = node_in(row, "from", network);
+    const bool to_all = row.text("to") == "*";
+    const auto to = to_all ? std::optional(kAllNodesOfCase) : node_in(row, "to", network);
+    const auto bytes = row.whole("bytes", kMaxPacketBytes);
+    if (!number || !time || !from || !to || !bytes) return;
+    if (!numbers.insert(*number).second)
+      return row.report("message", fmt::format("message {} is there twice.", *number));
+    if (*to == *from)
+      return row.report("to",
+                        fmt::format("node {} sends to itself.", network.names[*from]));
+    const TrafficItem item{*number, Time::from_seconds(*time), *from, *to,
+                           static_cast<std::uint32_t>(*bytes)};
     if (!network.traffic.empty() && item.time < network.traffic.back().time)
-      return row.wrong("the rows are in order of time.");
+      return row.report("time_s", "the rows are in order of time.");
     network.traffic.push_back(item);
-    return {};
-  });
+  }));
 }
 
 Result<SaturatedFlow> parse_saturated_flow(std::string_view text,

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "skein/exchange/table/csv_cells.h"
+#include "skein/base/csv.h"
 #include "skein/model/connection/connection.h"
 #include "skein/model/path/flight_plan.h"
 

@@ -10,8 +10,8 @@
 #include <optional>
 #include <string>
 
+#include "skein/base/csv.h"
 #include "skein/base/input_file.h"
-#include "skein/exchange/table/csv_cells.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::exchange {

@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "skein/data/describe/strict_json.h"
 #include "skein/exchange/team/case_lists.h"
-#include "skein/exchange/team/strict_json.h"
 #include "skein/exchange/team/team_cases.h"
 #include "skein/solve/allocation/task_satisfaction.h"
 
@@ -12,13 +12,15 @@ namespace skein::exchange {
 namespace {
 
 using namespace solve;  // NOLINT: what is read is all of there
+using strict_json::Fields;
+using strict_json::Value;
 
 constexpr double kMaxSpeed = 1000;     // [m/s]
 constexpr double kMaxDuration = 1e7;   // [s]
 constexpr double kMaxLength = 1e8;     // [m]
 constexpr double kMinPositive = 1e-9;  // of what must be above 0
 
-TeamAircraft read_aircraft(JsonFields& fields, JsonProblems& problems) {
+TeamAircraft read_aircraft(Fields& fields) {
   TeamAircraft aircraft;
   aircraft.place = read_point(fields, "");
   (void)fields.text("type", "");
@@ -28,35 +30,25 @@ TeamAircraft read_aircraft(JsonFields& fields, JsonProblems& problems) {
   aircraft.turn_radius = fields.number("turn_radius_m", 0, kMaxLength);
   aircraft.endurance = fields.number("endurance_s", 0, kMaxDuration);
   aircraft.relay_quality = fields.number("relay_quality", 0, 1, 0);
-  if (const StrictJson* sensors = fields.object("sensors"))
-    for (const auto& [kind, value] : sensors->items()) {
-      JsonFields sensor(value, fields.place() + ".sensors." + kind.substr(0, 40),
-                        problems);
-      aircraft.sensors[kind] = {sensor.number("swath_m", 0, kMaxLength),
-                                sensor.number("quality", 0, 1)};
-    }
+  for (const auto& [kind, value] : fields.members("sensors", kMaxListed)) {
+    Fields sensor(value);
+    aircraft.sensors[kind] = {sensor.number("swath_m", 0, kMaxLength),
+                              sensor.number("quality", 0, 1)};
+  }
   return aircraft;
 }
 
-ShareTask read_shares(JsonFields& fields, std::size_t aircraft) {
+ShareTask read_shares(Fields& fields, std::size_t aircraft) {
   ShareTask task;
-  task.shares.assign(aircraft, 0);
-  const StrictJson* shares = fields.list("shares");
-  if (!shares) return task;
-  bool good = shares->size() == aircraft;
-  for (std::size_t i = 0; good && i < aircraft; ++i) {
-    good = (*shares)[i].is_number();
-    if (good) task.shares[i] = (*shares)[i].get<double>();
-    good = good && task.shares[i] >= 0 && task.shares[i] <= 1;
-  }
-  if (!good) {
-    task.shares.assign(aircraft, 0);
-    fields.problem("shares", "must be a number within 0 to 1 for each aircraft.");
-  }
+  for (const Value& share : fields.items("shares", kMaxListed))
+    task.shares.push_back(share.number(0, 1));
+  if (task.shares.size() != aircraft)
+    fields.problem("shares", "must have a number for each aircraft.");
+  task.shares.resize(aircraft, 0);
   return task;
 }
 
-solve::TeamTask read_task(JsonFields& fields, std::size_t aircraft) {
+solve::TeamTask read_task(Fields& fields, std::size_t aircraft) {
   static const std::vector<std::string> kKinds = {
       "surveillance", "tracking", "patrol-line",   "perimeter-watch",
       "waypoints",    "route",    "protect",       "cordon",
@@ -118,20 +110,17 @@ solve::TeamTask read_task(JsonFields& fields, std::size_t aircraft) {
   return task;
 }
 
-CoalitionCase read_case(const StrictJson& object, const std::string& place,
-                        bool idle_allowed, JsonProblems& problems) {
-  JsonFields fields(object, place, problems);
+CoalitionCase read_case(const Value& object, bool idle_allowed) {
+  Fields fields(object);
   CoalitionCase found;
   found.id = fields.text("id");
   std::vector<TeamAircraft> aircraft;
   std::vector<std::int64_t> ids;
-  read_list(fields, "aircraft", problems, ids, [&](JsonFields& inner) {
-    aircraft.push_back(read_aircraft(inner, problems));
-  });
+  read_list(fields, "aircraft", ids,
+            [&](Fields& inner) { aircraft.push_back(read_aircraft(inner)); });
   std::vector<solve::TeamTask> tasks;
-  read_list(fields, "tasks", problems, found.tasks, [&](JsonFields& inner) {
-    tasks.push_back(read_task(inner, aircraft.size()));
-  });
+  read_list(fields, "tasks", found.tasks,
+            [&](Fields& inner) { tasks.push_back(read_task(inner, aircraft.size())); });
   const double delta = fields.number("delta_d_per_m", 0, 1, 0);
   if (!idle_allowed && tasks.empty() && !aircraft.empty())
     fields.problem("tasks", "must not be empty when no aircraft may stay idle.");
@@ -145,10 +134,7 @@ Result<std::vector<CoalitionCase>> read_coalition_cases(std::string_view text,
                                                         const std::string& place,
                                                         bool idle_allowed) {
   return read_cases<CoalitionCase>(
-      text, place,
-      [&](const StrictJson& object, const std::string& at, JsonProblems& problems) {
-        return read_case(object, at, idle_allowed, problems);
-      });
+      text, place, [&](const Value& object) { return read_case(object, idle_allowed); });
 }
 
 }  // namespace skein::exchange

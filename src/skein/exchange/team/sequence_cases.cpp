@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <memory>
 
+#include "skein/data/describe/strict_json.h"
 #include "skein/exchange/team/case_lists.h"
-#include "skein/exchange/team/strict_json.h"
 #include "skein/exchange/team/team_cases.h"
 
 namespace skein::exchange {
 namespace {
 
 using namespace solve;  // NOLINT: what is read is all of there
+using strict_json::Fields;
+using strict_json::Value;
 
 constexpr double kMaxTime = 1e7;  // [s]
 constexpr int kMaxOrderDepth = 30;
@@ -24,26 +26,21 @@ struct StraightFlights {
 
 class SequenceCaseReader {
  public:
-  SequenceCaseReader(const StrictJson& object, const std::string& place,
-                     JsonProblems& problems)
-      : fields_(object, place, problems), problems_(problems) {}
+  explicit SequenceCaseReader(const Value& object) : fields_(object) {}
 
   SequenceCase read() {
     found_.id = fields_.text("id");
     read_objective();
     found_.problem.returns = fields_.flag("returns", false);
-    read_list(fields_, "aircraft", problems_, aircraft_, [&](JsonFields& inner) {
+    read_list(fields_, "aircraft", aircraft_, [&](Fields& inner) {
       flights_->starts.push_back(read_point(inner, ""));
       flights_->speeds.push_back(inner.number("speed_mps", 0.01, 1000));
     });
     found_.problem.aircraft = aircraft_.size();
-    read_list(fields_, "tasks", problems_, found_.tasks,
-              [&](JsonFields& inner) { read_task(inner); });
+    read_list(fields_, "tasks", found_.tasks, [&](Fields& inner) { read_task(inner); });
     read_relations();
-    if (const StrictJson* orders = fields_.list("orders", true))
-      for (std::size_t k = 0; k < orders->size(); ++k)
-        found_.problem.orders.push_back(read_order(
-            (*orders)[k], fmt::format("{}.orders[{}]", fields_.place(), k), 0));
+    for (const Value& order : fields_.items("orders", kMaxListed, true))
+      found_.problem.orders.push_back(read_order(order, 0));
     if (aircraft_.empty() && !found_.tasks.empty())
       fields_.problem("aircraft", "there must be at least one.");
     set_times();
@@ -62,7 +59,7 @@ class SequenceCaseReader {
     if (discounted) found_.problem.discount = fields_.number("discount_per_s", 0, 1e3);
   }
 
-  void read_task(JsonFields& fields) {
+  void read_task(Fields& fields) {
     SequenceTask task;
     flights_->tasks.push_back(read_point(fields, ""));
     task.service = fields.number("service_s", 0, kMaxTime, 0);
@@ -70,27 +67,25 @@ class SequenceCaseReader {
     if (fields.has("closes_s"))
       task.closes = fields.number("closes_s", task.opens, kMaxTime);
     if (discounted_) task.value = fields.number("value", 0, 1e9);
-    if (const StrictJson* list = fields.list("eligible", true)) {
+    if (const auto list = fields.value("eligible", true)) {
       task.eligible.assign(aircraft_.size(), false);
-      for (const StrictJson& id : *list) {
+      const auto ids = list->items(kMaxListed);
+      for (const Value& id : ids) {
         const auto at = index_of(aircraft_, id);
         if (at)
           task.eligible[*at] = true;
         else
-          fields.problem("eligible", "must be a list of ids of aircraft.");
+          id.report("must be the id of an aircraft.");
       }
-      if (list->empty()) fields.problem("eligible", "names no aircraft.");
+      if (ids.empty()) list->report("names no aircraft.");
     }
     found_.problem.tasks.push_back(std::move(task));
   }
 
   void read_relations() {
-    const StrictJson* list = fields_.list("relations", true);
-    if (!list) return;
     using Kind = TaskRelation::Kind;
-    for (std::size_t k = 0; k < list->size(); ++k) {
-      JsonFields fields((*list)[k], fmt::format("{}.relations[{}]", fields_.place(), k),
-                        problems_);
+    for (const Value& item : fields_.items("relations", kMaxListed, true)) {
+      Fields fields(item);
       TaskRelation relation;
       relation.kind =
           static_cast<Kind>(fields.word("kind", {"before", "after", "at", "together"}));
@@ -105,7 +100,7 @@ class SequenceCaseReader {
   }
 
   // A task's id, or {"sequence": [...]}, {"alternative": [...]}, {"parallel": [...]}.
-  TaskOrder read_order(const StrictJson& value, const std::string& place, int depth) {
+  TaskOrder read_order(const Value& value, int depth) {
     using Kind = TaskOrder::Kind;
     TaskOrder order;
     if (const auto task = index_of(found_.tasks, value)) {
@@ -117,24 +112,25 @@ class SequenceCaseReader {
         {"alternative", Kind::kAlternative},
         {"parallel", Kind::kParallel}};
     for (const auto& [name, kind] : kKinds) {
-      if (!value.is_object() || value.size() != 1 || !value.contains(name)) continue;
-      const StrictJson& parts = value.at(name);
-      if (!parts.is_array() || parts.empty() || depth >= kMaxOrderDepth) break;
+      const strict_json::Json& json = value.json();
+      if (!json.is_object() || json.size() != 1 || !json.contains(name)) continue;
+      const Value parts = value.at(name);
+      if (!parts.json().is_array() || parts.json().empty() || depth >= kMaxOrderDepth)
+        break;
       order.kind = kind;
-      for (std::size_t k = 0; k < parts.size(); ++k)
-        order.parts.push_back(
-            read_order(parts[k], fmt::format("{}.{}[{}]", place, name, k), depth + 1));
+      for (const Value& part : parts.items(kMaxListed))
+        order.parts.push_back(read_order(part, depth + 1));
       return order;
     }
-    problems_.add(place,
-                  fmt::format("must be the id of a task, or an object with one key "
-                              "(sequence, alternative or parallel) and a list of "
-                              "such parts, at most {} deep.",
-                              kMaxOrderDepth));
+    value.report(
+        fmt::format("must be the id of a task, or an object with one key "
+                    "(sequence, alternative or parallel) and a list of such "
+                    "parts, at most {} deep.",
+                    kMaxOrderDepth));
     return order;
   }
 
-  std::size_t task_in(JsonFields& fields, const char* key) {
+  std::size_t task_in(Fields& fields, const char* key) {
     const std::int64_t id = fields.whole(key, 1, kMaxId);
     const auto at = std::find(found_.tasks.begin(), found_.tasks.end(), id);
     if (at != found_.tasks.end())
@@ -144,10 +140,10 @@ class SequenceCaseReader {
   }
 
   static std::optional<std::size_t> index_of(const std::vector<std::int64_t>& ids,
-                                             const StrictJson& id) {
-    if (!id.is_number_integer()) return std::nullopt;
+                                             const Value& id) {
+    if (!id.json().is_number_integer()) return std::nullopt;
     for (std::size_t k = 0; k < ids.size(); ++k)
-      if (id == ids[k]) return k;
+      if (id.json() == ids[k]) return k;
     return std::nullopt;
   }
 
@@ -162,8 +158,7 @@ class SequenceCaseReader {
     problem.home = problem.from_start;
   }
 
-  JsonFields fields_;
-  JsonProblems& problems_;
+  Fields fields_;
   SequenceCase found_;
   std::vector<std::int64_t> aircraft_;
   std::shared_ptr<StraightFlights> flights_ = std::make_shared<StraightFlights>();
@@ -175,10 +170,7 @@ class SequenceCaseReader {
 Result<std::vector<SequenceCase>> read_sequence_cases(std::string_view text,
                                                       const std::string& place) {
   return read_cases<SequenceCase>(
-      text, place,
-      [](const StrictJson& object, const std::string& at, JsonProblems& problems) {
-        return SequenceCaseReader(object, at, problems).read();
-      });
+      text, place, [](const Value& object) { return SequenceCaseReader(object).read(); });
 }
 
 }  // namespace skein::exchange

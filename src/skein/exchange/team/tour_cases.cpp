@@ -6,7 +6,7 @@
 #include <memory>
 #include <set>
 
-#include "skein/exchange/table/csv_cells.h"
+#include "skein/base/csv.h"
 #include "skein/exchange/team/team_cases.h"
 #include "skein/geo/vec.h"
 
@@ -23,8 +23,8 @@ Error wrong_table(const std::string& place, std::string message) {
 
 std::vector<std::string> cells_of(std::string_view line) {
   std::vector<std::string> all;
-  exchange::CsvCells cells(line);
-  while (const auto cell = cells.next()) all.emplace_back(exchange::trimmed(*cell));
+  CsvCells cells(line);
+  while (const auto cell = cells.next()) all.emplace_back(trimmed(*cell));
   return all;
 }
 
@@ -39,7 +39,7 @@ Result<void> read_table(std::string_view text, const std::string& place,
     const std::size_t feed = text.find('\n');
     const std::string_view line = text.substr(0, feed);
     text.remove_prefix(feed == std::string_view::npos ? text.size() : feed + 1);
-    if (exchange::trimmed(line).empty()) continue;
+    if (trimmed(line).empty()) continue;
     const std::vector<std::string> cells = cells_of(line);
     const std::string at = fmt::format("{}:{}", place, number);
     if (columns.empty()) {
@@ -69,7 +69,7 @@ Result<void> read_table(std::string_view text, const std::string& place,
 
 Result<double> number_of(const std::string& cell, double min, double max,
                          const std::string& place, const char* column) {
-  const auto value = exchange::number_in(cell);
+  const auto value = number_in(cell);
   if (value && *value >= min && *value <= max) return *value;
   return wrong_table(
       place, fmt::format("{}: must be a number within {} to {}.", column, min, max));

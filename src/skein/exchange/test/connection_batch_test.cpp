@@ -6,8 +6,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "skein/base/csv.h"
 #include "skein/base/random.h"
-#include "skein/exchange/table/csv_cells.h"
 #include "skein/geo/vec.h"
 #include "skein/model/connection/connection.h"
 #include "skein/model/path/flight_plan.h"

@@ -38,16 +38,18 @@ TEST(NetworkTables, SayWhatIsWrongWithNodes) {
   EXPECT_NE(refusal_of_nodes(head).find("there is no node"), std::string::npos);
   EXPECT_NE(refusal_of_nodes(head + "1,0,1,2,3\n").find("n.csv:2: 5 cells"),
             std::string::npos);
-  EXPECT_NE(refusal_of_nodes(head + "-1,0,1,2,3,\n").find("node: -1 is no whole"),
+  EXPECT_NE(refusal_of_nodes(head + "-1,0,1,2,3,\n").find("\"node\": \"-1\" is no whole"),
             std::string::npos);
-  EXPECT_NE(refusal_of_nodes(head + "1,0,1,nan,3,\n").find("y_m: nan is no number"),
-            std::string::npos);
-  EXPECT_NE(refusal_of_nodes(head + "1,5,1,1,3,\n1,5,2,2,2,\n").find("n.csv:3: the rows"),
+  EXPECT_NE(
+      refusal_of_nodes(head + "1,0,1,nan,3,\n").find("\"y_m\": \"nan\" is no number"),
+      std::string::npos);
+  EXPECT_NE(refusal_of_nodes(head + "1,5,1,1,3,\n1,5,2,2,2,\n")
+                .find("n.csv:3: column \"time_s\": the rows"),
             std::string::npos);
   EXPECT_NE(
       refusal_of_nodes(head + "1,5,1,1,3,4\n1,6,2,2,2,5\n").find("power_dbm differs"),
       std::string::npos);
-  EXPECT_NE(refusal_of_nodes("node,time_s,x_m,y_m\n").find("the header lacks z_m"),
+  EXPECT_NE(refusal_of_nodes("node,time_s,x_m,y_m\n").find("column \"z_m\" is missing"),
             std::string::npos);
 }
 
@@ -68,7 +70,8 @@ TEST(NetworkTables, TrafficKnowsItsNodes) {
         read_network_traffic("message,time_s,from,to,bytes\n" + rows, "t.csv", network);
     return bad ? std::string("accepted") : bad.error().text();
   };
-  EXPECT_NE(refusal("1,3,4,8,1\n2,2,4,8,1\n").find("t.csv:3: the rows are in order"),
+  EXPECT_NE(refusal("1,3,4,8,1\n2,2,4,8,1\n")
+                .find("t.csv:3: column \"time_s\": the rows are in order"),
             std::string::npos);
   EXPECT_NE(refusal("1,3,4,8,1\n1,4,4,8,1\n").find("message 1 is there twice"),
             std::string::npos);

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "skein/base/csv.h"
 #include "skein/exchange/plan/samples.h"
-#include "skein/exchange/table/csv_cells.h"
 #include "skein/exchange/table/text_shown.h"
 #include "skein/model/connection/connection.h"
 

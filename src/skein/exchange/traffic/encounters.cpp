@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/exchange/traffic/encounters.h"
+#include "skein/base/csv.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +9,6 @@
 #include <cmath>
 #include <optional>
 #include <set>
-
-#include "skein/exchange/table/csv_cells.h"
 
 namespace skein::exchange {
 namespace {

@@ -11,8 +11,8 @@
 #include <tuple>
 #include <utility>
 
+#include "skein/base/csv.h"
 #include "skein/base/input_file.h"
-#include "skein/exchange/table/csv_cells.h"
 #include "skein/geo/place_limits.h"
 
 namespace skein::exchange {

@@ -3,11 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <nlohmann/json.hpp>
-#include <vector>
+#include <string>
 
 #include "skein/data/describe/strict_json.h"
 #include "skein/geo/vec.h"
@@ -15,221 +11,133 @@
 namespace skein::exchange {
 namespace {
 
-using WellClearJson = nlohmann::ordered_json;
+using strict_json::Fields;
+using strict_json::Value;
+using WellClearJson = strict_json::Json;
 using model::AlertRegion;
 using model::WellClearConfiguration;
 
 constexpr std::size_t kMaxConfigurationBytes = 1 << 20;
-constexpr std::size_t kMaxAlerters = 100;
+constexpr std::size_t kMaxAlerters = 100, kMaxLevels = 100;
 
-// The first problem of a file; what is read after one does not count.
-struct FirstProblem {
-  std::string place, key, message, hint;
+// Every number of a configuration is within it; model::check() knows the narrower bounds.
+constexpr double kMaxNumber = 1e9;
 
-  void say(std::string where, std::string what, std::string allowed) {
-    if (!message.empty()) return;
-    key = std::move(where);
-    message = std::move(what);
-    hint = std::move(allowed);
-  }
-  bool found() const { return !message.empty(); }
-  Error error() const {
-    return {ErrorCode::kBadInput, key.empty() ? place : place + " " + key, message, hint};
-  }
-};
-
-// One object of the file, whose keys are asked for one by one.
-class JsonSection {
- public:
-  JsonSection(const WellClearJson* json, std::string name, FirstProblem& problem)
-      : json_(json), name_(std::move(name)), problem_(&problem) {
-    if (json_ && json_->is_object()) return;
-    if (json_) problem_->say(name_, "is no object.", "");
-    json_ = nullptr;
-  }
-
-  double number(std::string_view key) {
-    const WellClearJson* value = find(key, true);
-    if (!value) return 0;
-    if (!value->is_number()) {
-      problem_->say(path(key), fmt::format("{} is no number.", shown_value(*value)), "");
-      return 0;
-    }
-    return value->get<double>();
-  }
-  int whole(std::string_view key) {
-    const double value = number(key);
-    constexpr double kLimit = 1e9;
-    if (value == std::floor(value) && std::abs(value) <= kLimit)
-      return static_cast<int>(value);
-    problem_->say(path(key), fmt::format("{} is no whole number.", value), "");
-    return 0;
-  }
-  std::string text(std::string_view key, bool needed = true) {
-    const WellClearJson* value = find(key, needed);
-    if (!value) return "";
-    if (value->is_string() && !value->get_ref<const std::string&>().empty())
-      return value->get<std::string>();
-    problem_->say(path(key), fmt::format("{} is no text.", shown_value(*value)), "");
-    return "";
-  }
-  AlertRegion region(std::string_view key) {
-    const std::string name = text(key);
-    if (const auto region = model::alert_region_named(name)) return *region;
-    problem_->say(path(key), fmt::format("\"{}\" is no region.", name),
-                  "They are NONE, FAR, MID and NEAR.");
-    return AlertRegion::kNone;
-  }
-  JsonSection section(std::string_view key) {
-    return {find(key, true), path(key), *problem_};
-  }
-  // All keys, whatever they are.
-  std::vector<std::string> keys() const {
-    std::vector<std::string> all;
-    if (json_)
-      for (const auto& item : json_->items()) all.push_back(item.key());
-    return all;
-  }
-  const WellClearJson* list(std::string_view key) {
-    const WellClearJson* value = find(key, true);
-    if (!value || value->is_array()) return value;
-    problem_->say(path(key), "is no list.", "");
-    return nullptr;
-  }
-  // Says which key has not been asked for.
-  void finish() const {
-    for (const std::string& key : keys()) {
-      if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
-      problem_->say(path(key), "unknown key.",
-                    fmt::format("Keys here are {}.", fmt::join(asked_, ", ")));
-    }
-  }
-  std::string path(std::string_view key) const {
-    return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
-  }
-
- private:
-  static std::string shown_value(const WellClearJson& value) {
-    constexpr std::size_t kLongest = 40;
-    if (value.is_structured()) return value.is_array() ? "a list" : "an object";
-    std::string text =
-        value.dump(-1, ' ', false, WellClearJson::error_handler_t::replace);
-    return text.size() > kLongest ? text.substr(0, kLongest) + "..." : text;
-  }
-  const WellClearJson* find(std::string_view key, bool needed) {
-    asked_.emplace_back(key);
-    if (!json_) return nullptr;
-    const auto at = json_->find(std::string(key));
-    if (at != json_->end()) return &*at;
-    if (needed) problem_->say(path(key), "is missing.", "");
-    return nullptr;
-  }
-
-  const WellClearJson* json_;
-  std::string name_;
-  FirstProblem* problem_;
-  std::vector<std::string> asked_;
-};
-
-// Parses; discarded where it is none.
-WellClearJson parse_once(std::string_view text, FirstProblem& problem) {
-  strict_json::ParserWatch<WellClearJson> watch;
-  const WellClearJson json = WellClearJson::parse(text, std::ref(watch), false);
-  if (const std::string wrong = watch.problem(); !wrong.empty())
-    problem.say("", wrong, "");
-  return json;
+double number(Fields& fields, std::string_view key) {
+  return fields.number(key, -kMaxNumber, kMaxNumber);
 }
 
-WellClearConfiguration::Speed read_speed(JsonSection section) {
-  const WellClearConfiguration::Speed speed{
-      section.number("step_mps"), section.number("accel_mps2"), section.number("min_mps"),
-      section.number("max_mps")};
-  section.finish();
-  return speed;
+int whole(Fields& fields, std::string_view key) {
+  return static_cast<int>(fields.whole(key, -1'000'000, 1'000'000));
 }
 
-void read_manoeuvres(JsonSection& file, WellClearConfiguration& c) {
-  JsonSection track = file.section("track");
-  c.track = {geo::radians(track.number("step_deg")),
-             geo::radians(track.number("turn_rate_degps"))};
-  track.finish();
-  c.speed = read_speed(file.section("speed"));
-  c.vertical_speed = read_speed(file.section("vs"));
-  JsonSection alt = file.section("alt");
-  c.altitude = {alt.number("step_m"), alt.number("rate_mps"), alt.number("accel_mps2"),
-                alt.number("min_m"), alt.number("max_m")};
-  alt.finish();
+AlertRegion region(Fields& fields, std::string_view key) {
+  const auto value = fields.value(key);
+  if (!value) return AlertRegion::kNone;
+  if (value->json().is_string())
+    if (const auto found =
+            model::alert_region_named(value->json().get_ref<const std::string&>()))
+      return *found;
+  value->report("must be one of: NONE, FAR, MID, NEAR.");
+  return AlertRegion::kNone;
 }
 
-void read_rules(JsonSection& file, WellClearConfiguration& c) {
-  JsonSection recovery = file.section("recovery");
-  c.recovery = {recovery.number("horizontal_m"),      recovery.number("vertical_m"),
-                recovery.number("stability_s"),       recovery.number("ca_factor"),
-                recovery.number("nmac_horizontal_m"), recovery.number("nmac_vertical_m")};
-  recovery.finish();
-  c.corrective = file.region("corrective");
-  c.min_airspeed = file.number("min_airspeed_mps");
-  JsonSection hysteresis = file.section("hysteresis");
-  c.hysteresis = {hysteresis.number("time_s"), hysteresis.number("persistence_s"),
-                  hysteresis.whole("m"), hysteresis.whole("n")};
-  hysteresis.finish();
+// Takes the object that is the value of a key apart; nothing where it is missing.
+template <class Take>
+void with_section(Fields& file, std::string_view key, Take take) {
+  const auto value = file.value(key);
+  if (!value) return;
+  Fields section(*value);
+  take(section);
 }
 
-model::AlertLevel read_level(JsonSection section) {
+WellClearConfiguration::Speed read_speed(Fields& section) {
+  return {number(section, "step_mps"), number(section, "accel_mps2"),
+          number(section, "min_mps"), number(section, "max_mps")};
+}
+
+void read_manoeuvres(Fields& file, WellClearConfiguration& c) {
+  with_section(file, "track", [&](Fields& track) {
+    c.track = {geo::radians(number(track, "step_deg")),
+               geo::radians(number(track, "turn_rate_degps"))};
+  });
+  with_section(file, "speed", [&](Fields& speed) { c.speed = read_speed(speed); });
+  with_section(file, "vs", [&](Fields& vs) { c.vertical_speed = read_speed(vs); });
+  with_section(file, "alt", [&](Fields& alt) {
+    c.altitude = {number(alt, "step_m"), number(alt, "rate_mps"),
+                  number(alt, "accel_mps2"), number(alt, "min_m"), number(alt, "max_m")};
+  });
+}
+
+void read_rules(Fields& file, WellClearConfiguration& c) {
+  with_section(file, "recovery", [&](Fields& recovery) {
+    c.recovery = {
+        number(recovery, "horizontal_m"),      number(recovery, "vertical_m"),
+        number(recovery, "stability_s"),       number(recovery, "ca_factor"),
+        number(recovery, "nmac_horizontal_m"), number(recovery, "nmac_vertical_m")};
+  });
+  c.corrective = region(file, "corrective");
+  c.min_airspeed = number(file, "min_airspeed_mps");
+  with_section(file, "hysteresis", [&](Fields& hysteresis) {
+    c.hysteresis = {number(hysteresis, "time_s"), number(hysteresis, "persistence_s"),
+                    whole(hysteresis, "m"), whole(hysteresis, "n")};
+  });
+}
+
+model::AlertLevel read_level(const Value& value) {
+  Fields section(value);
   model::AlertLevel level;
-  level.region = section.region("region");
-  level.alerting_time = section.number("alerting_time_s");
-  level.early_alerting_time = section.number("early_alerting_time_s");
-  level.volume = {section.number("DTHR_m"), section.number("ZTHR_m"),
-                  section.number("TTHR_s"), section.number("TCOA_s")};
-  section.finish();
+  level.region = region(section, "region");
+  level.alerting_time = number(section, "alerting_time_s");
+  level.early_alerting_time = number(section, "early_alerting_time_s");
+  level.volume = {number(section, "DTHR_m"), number(section, "ZTHR_m"),
+                  number(section, "TTHR_s"), number(section, "TCOA_s")};
   return level;
 }
 
-void read_alerters(JsonSection section, WellClearConfiguration& c,
-                   FirstProblem& problem) {
-  const std::vector<std::string> names = section.keys();
-  if (names.size() > kMaxAlerters)
-    problem.say("alerters", fmt::format("{} are there.", names.size()),
-                fmt::format("At most {} are allowed.", kMaxAlerters));
-  for (const std::string& name : names) {
-    if (problem.found()) return;
+void read_alerters(Fields& file, WellClearConfiguration& c) {
+  for (const auto& [name, levels] : file.members("alerters", kMaxAlerters)) {
     model::Alerter& alerter = c.alerters.emplace_back();
     alerter.name = name;
-    const WellClearJson* levels = section.list(name);
-    for (std::size_t i = 0; levels && i < levels->size() && !problem.found(); ++i)
-      alerter.levels.push_back(
-          read_level({&(*levels)[i], fmt::format("alerters.{}[{}]", name, i), problem}));
+    for (const Value& level : levels.items(kMaxLevels))
+      alerter.levels.push_back(read_level(level));
   }
+}
+
+WellClearConfiguration read_configuration(const Value& value) {
+  Fields file(value);
+  WellClearConfiguration c{};
+  c.name = file.text("name");
+  (void)file.text("source", "");
+  c.lookahead = number(file, "lookahead_s");
+  read_manoeuvres(file, c);
+  read_rules(file, c);
+  read_alerters(file, c);
+  return c;
 }
 
 }  // namespace
 
 Result<WellClearConfiguration> well_clear_configuration_from_json(
     std::string_view text, const std::string& place) {
-  FirstProblem problem{place, "", "", ""};
   if (text.size() > kMaxConfigurationBytes)
     return Error{ErrorCode::kBadInput, place,
                  fmt::format("{} bytes; a configuration has at most {}.", text.size(),
                              kMaxConfigurationBytes),
                  ""};
-  const WellClearJson json = parse_once(text, problem);
-  if (json.is_discarded() || !json.is_object())
-    return Error{ErrorCode::kBadInput, place, "is no JSON object.",
-                 "docs/well-clear.md has one."};
-  JsonSection file(&json, "", problem);
-  WellClearConfiguration c{};
-  c.name = file.text("name");
-  file.text("source", false);
-  c.lookahead = file.number("lookahead_s");
-  read_manoeuvres(file, c);
-  read_rules(file, c);
-  read_alerters(file.section("alerters"), c, problem);
-  file.finish();
-  if (problem.found()) return problem.error();
+  strict_json::Problems problems(place);
+  const auto json = strict_json::parse(text, problems);
+  if (json && !json->is_object()) problems.add("", "is no JSON object.");
+  if (problems.any()) {
+    Error error = problems.error();
+    error.hint = "docs/well-clear.md has one.";
+    return error;
+  }
+  const WellClearConfiguration c = read_configuration(Value(*json, "", problems));
+  if (problems.any()) return problems.error();
   if (const auto good = model::check(c); !good) {
     Error error = good.error();
-    error.place = place + " " + error.place;
+    error.place = place + ": " + error.place;
     return error;
   }
   return c;

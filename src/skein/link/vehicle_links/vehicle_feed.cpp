@@ -85,8 +85,8 @@ struct VehicleFeed::Listener {
   }
   void operator()(const MissionProgressRecord& r) const {
     if (Shown* shown = feed.find(r.id)) {
-      shown->snapshot.progress = r.progress;
-      shown->mode.hear(r.progress);
+      shown->snapshot.progress = r.value;
+      shown->mode.hear(r.value);
     }
   }
   void operator()(const CommandRecord& r) const {

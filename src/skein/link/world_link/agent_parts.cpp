@@ -90,34 +90,34 @@ struct WorldFeed::Listener {
   void operator()(const Crossing& crossing) const { feed.said_.emplace_back(crossing); }
   void operator()(const PluginRecord& record) const { feed.said_.emplace_back(record); }
   void operator()(const PlannerRecord& record) const {
-    feed.said_.emplace_back(record.change);
+    feed.said_.emplace_back(record.value);
   }
   void operator()(const MissionProgressRecord& record) const {
-    feed.said_.emplace_back(record.progress);
+    feed.said_.emplace_back(record.value);
   }
   void operator()(const ConflictRecord& record) const {
-    feed.said_.emplace_back(record.report);
+    feed.said_.emplace_back(record.value);
   }
   void operator()(const TeamLeadRecord& record) const {
-    feed.said_.emplace_back(record.lead);
+    feed.said_.emplace_back(record.value);
   }
   void operator()(const TeamAllocationRecord& record) const {
-    feed.said_.emplace_back(record.report);
+    feed.said_.emplace_back(record.value);
   }
   void operator()(const ObjectBeliefRecord& record) const {
-    feed.said_.emplace_back(record.belief);
+    feed.said_.emplace_back(record.value);
   }
   void operator()(const TrafficBeliefRecord& record) const {
-    feed.said_.emplace_back(record.belief);
+    feed.said_.emplace_back(record.value);
   }
   void operator()(const AlertRecord& record) const {
-    if (record.id == feed.self_) feed.said_.emplace_back(record.alert);
+    if (record.id == feed.self_) feed.said_.emplace_back(record.value);
   }
   void operator()(const BandRecord& record) const {
-    if (record.id == feed.self_) feed.said_.emplace_back(record.bands);
+    if (record.id == feed.self_) feed.said_.emplace_back(record.value);
   }
   void operator()(const RecommendationRecord& record) const {
-    if (record.id == feed.self_) feed.said_.emplace_back(record.recommendation);
+    if (record.id == feed.self_) feed.said_.emplace_back(record.value);
   }
   template <class Other>
   void operator()(const Other&) const {}

@@ -7,20 +7,20 @@ namespace skein::record {
 
 void AlertStatistics::alert(const AlertRecord& record) {
   tracked_ = true;
-  Alerted& alerted = alerted_[{record.id, record.alert.track}];
-  if (alerted.level == 0 && record.alert.level > 0) {
+  Alerted& alerted = alerted_[{record.id, record.value.track}];
+  if (alerted.level == 0 && record.value.level > 0) {
     alerts_ += 1;
     alerted.since = record.time;
-  } else if (alerted.level > 0 && record.alert.level == 0) {
+  } else if (alerted.level > 0 && record.value.level == 0) {
     lasted_ += (record.time - alerted.since).seconds();
   }
-  alerted.level = record.alert.level;
-  level_max_ = std::max(level_max_, static_cast<double>(record.alert.level));
+  alerted.level = record.value.level;
+  level_max_ = std::max(level_max_, static_cast<double>(record.value.level));
 }
 
 void AlertStatistics::recommendation(const RecommendationRecord& record) {
-  const std::pair which{record.id, record.recommendation.number};
-  switch (record.recommendation.state) {
+  const std::pair which{record.id, record.value.number};
+  switch (record.value.state) {
     case RecommendationState::kShown:
       shown_.insert(which);
       break;
@@ -41,9 +41,9 @@ void AlertStatistics::conflict(const ConflictRecord& record) {
   // The last path that was taken before the two would have met solved it.
   std::optional<Time> last;
   for (const Time time : followed->second)
-    if (time >= record.report.seen && time <= record.report.meets) last = time;
+    if (time >= record.value.seen && time <= record.value.meets) last = time;
   if (!last) return;
-  const double before = (record.report.meets - *last).seconds();
+  const double before = (record.value.meets - *last).seconds();
   followed_before_ = std::min(followed_before_.value_or(before), before);
 }
 

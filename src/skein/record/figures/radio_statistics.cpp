@@ -51,11 +51,11 @@ std::uint64_t RadioStatistics::sent_by(EntityId sender) const {
 void RadioStatistics::radio(const RadioUseRecord& record) {
   if (record.time != time_)
     span_ = (record.time - std::exchange(time_, record.time)).seconds();
-  const double load = record.use.load();
+  const double load = record.value.load();
   load_seconds_ += load * span_;
   seconds_ += span_;
   load_max_ = std::max(load_max_, load);
-  sending_max_ = std::max(sending_max_, record.use.sending_share);
+  sending_max_ = std::max(sending_max_, record.value.sending_share);
 }
 
 void RadioStatistics::add_figures(std::map<std::string, double>& figures) const {

@@ -6,7 +6,7 @@
 namespace skein::record {
 
 void RadioSums::add(const RadioUseRecord& record) {
-  const RadioUse& use = record.use;
+  const RadioUse& use = record.value;
   const double time = record.time.seconds();
   if (loads_.empty() || loads_.back().time < time) {
     span_ = time - (loads_.empty() ? 0 : loads_.back().time);

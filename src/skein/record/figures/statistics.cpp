@@ -63,7 +63,7 @@ struct Taker {
   void operator()(const TrafficMotion& r) { statistics.traffic().motion(r); }
   void operator()(const TrafficBeliefRecord& r) {
     statistics.traffic().belief(r);
-    statistics.alerts().belief(r.belief);
+    statistics.alerts().belief(r.value);
   }
   void operator()(const AlertRecord& r) { statistics.alerts().alert(r); }
   void operator()(const RecommendationRecord& r) {
@@ -80,10 +80,10 @@ struct Taker {
   void operator()(const TeamTaskRecord&) {}
   void operator()(const TeamLeadRecord& r) { statistics.team().lead(r); }
   void operator()(const TeamAllocationRecord& r) {
-    statistics.team().allocation(r.report);
+    statistics.team().allocation(r.value);
   }
   void operator()(const ConflictRecord& r) {
-    statistics.separation().conflict(r.report);
+    statistics.separation().conflict(r.value);
     statistics.alerts().conflict(r);
   }
   void operator()(const SeparationLossRecord& r) { statistics.separation().loss(r); }

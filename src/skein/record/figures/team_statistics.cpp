@@ -23,7 +23,7 @@ constexpr std::string_view kTeamTask = "team task ";
 
 void TeamStatistics::lead(const TeamLeadRecord& record) {
   known_ = true;
-  const auto& master = record.lead.master;
+  const auto& master = record.value.master;
   if (!master) return;
   masters_.insert(*master);
   auto& last = master_of_[record.id];

@@ -42,10 +42,10 @@ TrafficStatistics::Error TrafficStatistics::nearest(const TrafficBeliefRecord& r
   constexpr double kNowhere = std::numeric_limits<double>::infinity();
   Error error{kNowhere, kNowhere};
   for (const auto& [id, flown] : traffic_) {
-    if (by_address && flown.address != record.belief.address) continue;
+    if (by_address && flown.address != record.value.address) continue;
     const TrafficMotion* motion = flown.path.at(record.time);
     if (!motion) continue;
-    const Vec3 off = record.belief.position - motion->at(record.time);
+    const Vec3 off = record.value.position - motion->at(record.time);
     const double horizontal = geo::horizontal(off).norm();
     if (horizontal < error.horizontal) error = {horizontal, std::abs(off.z())};
   }
@@ -53,10 +53,10 @@ TrafficStatistics::Error TrafficStatistics::nearest(const TrafficBeliefRecord& r
 }
 
 void TrafficStatistics::belief(const TrafficBeliefRecord& record) {
-  if (!record.belief.firm) return;
-  firm_.insert({record.believer, record.belief.track});
-  const Error error = nearest(record, record.belief.address.has_value());
-  if (error.horizontal > astray_beyond(record.belief)) {
+  if (!record.value.firm) return;
+  firm_.insert({record.id, record.value.track});
+  const Error error = nearest(record, record.value.address.has_value());
+  if (error.horizontal > astray_beyond(record.value)) {
     ++astray_;
     return;
   }
@@ -64,7 +64,7 @@ void TrafficStatistics::belief(const TrafficBeliefRecord& record) {
   squared_vertical_ += error.vertical * error.vertical;
   largest_ = std::max(largest_, error.horizontal);
   ++compared_;
-  within_ += error.horizontal < 2 * record.belief.horizontal_sd ? 1 : 0;
+  within_ += error.horizontal < 2 * record.value.horizontal_sd ? 1 : 0;
 }
 
 void TrafficStatistics::add_figures(std::map<std::string, double>& figures) const {

@@ -167,7 +167,7 @@ class TableCursor final : public PieceCursor<T> {
         database, "recommendations", "path_json", piece, [&](const Statement& row) {
           const auto list = json::Json::parse(row.text(1), nullptr, false);
           if (next >= this->ahead_.size()) return;  // written since
-          auto& path = this->ahead_.at(next++).recommendation.path;
+          auto& path = this->ahead_.at(next++).value.path;
           if (list.is_array())
             for (const json::Json& item : list)
               if (auto point = json::from_json<RecommendedPoint>(item))

@@ -317,7 +317,7 @@ class Reader {
     return records<TrafficBeliefRecord>("ORDER BY time_s",
                                         [&](const TrafficBeliefRecord& record) {
                                           statistics_.traffic().belief(record);
-                                          statistics_.alerts().belief(record.belief);
+                                          statistics_.alerts().belief(record.value);
                                         });
   }
 
@@ -329,7 +329,7 @@ class Reader {
     });
     // A level that rises says most: those that are over go first.
     if (static_cast<int>(all.size()) > budget_.alerts)
-      std::erase_if(all, [](const AlertRecord& each) { return each.alert.level == 0; });
+      std::erase_if(all, [](const AlertRecord& each) { return each.value.level == 0; });
     run_.alerts = thinned(all, budget_.alerts);
     return done;
   }
@@ -379,7 +379,7 @@ class Reader {
         });
     if (!done) return done;
     done = records<ConflictRecord>("ORDER BY time_s", [this](const ConflictRecord& each) {
-      statistics_.separation().conflict(each.report);
+      statistics_.separation().conflict(each.value);
       statistics_.alerts().conflict(each);
     });
     if (!done) return done;

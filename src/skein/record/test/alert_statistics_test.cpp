@@ -9,8 +9,8 @@ namespace {
 AlertRecord alert(double time, std::uint32_t track, std::uint32_t level,
                   std::uint32_t who = 1) {
   AlertRecord record{Time::from_seconds(time), EntityId{who}, {}};
-  record.alert.track = track;
-  record.alert.level = level;
+  record.value.track = track;
+  record.value.level = level;
   return record;
 }
 
@@ -21,8 +21,8 @@ RecommendationRecord recommendation(double time, std::uint32_t number,
 
 ConflictRecord conflict(double seen, double meets) {
   ConflictRecord record{Time::from_seconds(meets + 30), EntityId{1}, {}};
-  record.report.seen = Time::from_seconds(seen);
-  record.report.meets = Time::from_seconds(meets);
+  record.value.seen = Time::from_seconds(seen);
+  record.value.meets = Time::from_seconds(meets);
   return record;
 }
 

@@ -14,8 +14,8 @@ std::map<std::string, double> figures_of(const RadioStatistics& statistics) {
 
 RadioUseRecord use_of(double time, std::uint32_t id, double sending, double busy) {
   RadioUseRecord record{Time::from_seconds(time), EntityId{id}, {}};
-  record.use.sending_share = sending;
-  record.use.busy_share = busy;
+  record.value.sending_share = sending;
+  record.value.busy_share = busy;
   return record;
 }
 

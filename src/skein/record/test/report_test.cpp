@@ -73,26 +73,26 @@ void record_alerts(RunRecorder& recorder) {
   for (int t = 10; t < 40; ++t) {
     TrafficBeliefRecord belief;
     belief.time = Time::from_seconds(t);
-    belief.believer = EntityId{1};
-    belief.belief.track = 6;
-    belief.belief.firm = true;
-    belief.belief.position = Vec3(900 - 20 * t, 0, -400);
-    belief.belief.velocity = Vec3(-20, 0, 1);
-    belief.belief.horizontal_sd = 12;
+    belief.id = EntityId{1};
+    belief.value.track = 6;
+    belief.value.firm = true;
+    belief.value.position = Vec3(900 - 20 * t, 0, -400);
+    belief.value.velocity = Vec3(-20, 0, 1);
+    belief.value.horizontal_sd = 12;
     recorder.record(belief);
     BandRecord bands{Time::from_seconds(t), EntityId{1}, {}};
-    bands.bands.level = t < 39 ? 2 : 0;
-    bands.bands.track_advised = geo::radians(80);
-    bands.bands.tracks = {{0, geo::radians(79.96), AlertRegion::kMid},
+    bands.value.level = t < 39 ? 2 : 0;
+    bands.value.track_advised = geo::radians(80);
+    bands.value.tracks = {{0, geo::radians(79.96), AlertRegion::kMid},
                           {geo::radians(300), geo::radians(360), AlertRegion::kNear}};
-    bands.bands.altitudes = {{350, 450, AlertRegion::kMid}};
+    bands.value.altitudes = {{350, 450, AlertRegion::kMid}};
     recorder.record(bands);
   }
   for (const auto& [time, level] : {std::pair{12.0, 2u}, {39.0, 0u}}) {
     AlertRecord alert{Time::from_seconds(time), EntityId{1}, {}};
-    alert.alert.track = 6;
-    alert.alert.level = level;
-    alert.alert.region = level > 0 ? AlertRegion::kMid : AlertRegion::kNone;
+    alert.value.track = 6;
+    alert.value.level = level;
+    alert.value.region = level > 0 ? AlertRegion::kMid : AlertRegion::kNone;
     recorder.record(alert);
   }
   using enum RecommendationState;

@@ -9,11 +9,11 @@ namespace {
 TrafficBeliefRecord belief(double time, const Vec3& p_N, std::uint32_t track = 1) {
   TrafficBeliefRecord record;
   record.time = Time::from_seconds(time);
-  record.believer = EntityId{2};
-  record.belief.track = track;
-  record.belief.position = p_N;
-  record.belief.horizontal_sd = 10;
-  record.belief.firm = true;
+  record.id = EntityId{2};
+  record.value.track = track;
+  record.value.position = p_N;
+  record.value.horizontal_sd = 10;
+  record.value.firm = true;
   return record;
 }
 
@@ -26,11 +26,11 @@ TEST(TrafficStatistics, CompareFirmTracksWithTheTruth) {
   statistics.belief(belief(1, {13, 4, -296}));   // 5 m from the first, 4 m below
   statistics.belief(belief(2, {20, 75, -300}));  // 15 m from the other
   TrafficBeliefRecord of_other = belief(3, {30, 33, -300});
-  of_other.belief.address = 8;  // 57 m from whom it says it is
+  of_other.value.address = 8;  // 57 m from whom it says it is
   statistics.belief(of_other);
   statistics.belief(belief(4, {900, 900, -300}, 5));  // nobody is there
   TrafficBeliefRecord loose = belief(5, {500, 0, -300}, 6);
-  loose.belief.firm = false;
+  loose.value.firm = false;
   statistics.belief(loose);
   std::map<std::string, double> figures;
   statistics.add_figures(figures);

@@ -44,10 +44,41 @@ TEST(StrictJson, RefusesKeysGivenTwiceAndWhatIsNoJson) {
     EXPECT_FALSE(parse(text, problems)) << text;
     EXPECT_TRUE(problems.any()) << text;
   }
-  // The same key in two objects is none given twice; depth is no problem.
+  // The same key in two objects is none given twice.
   Problems problems("f.json");
   EXPECT_TRUE(parse(R"([{"a": 1}, {"a": {"a": 2}}])", problems));
-  EXPECT_TRUE(parse(std::string(100'000, '[') + std::string(100'000, ']'), problems));
+  EXPECT_FALSE(problems.any());
+  EXPECT_FALSE(parse(std::string(100'000, '[') + std::string(100'000, ']'), problems));
+  EXPECT_NE(problems.error().text().find("nests more than 64 deep"), std::string::npos);
+}
+
+TEST(StrictJson, FieldsTakeWhatIsThereAndNameWhatIsNot) {
+  Problems problems("f.json");
+  const auto json = parse(
+      R"({"n": 2, "w": 3.5, "on": true, "word": "b", "list": [1, 2], "of": {"z": 1, "a": 2},
+          "more": 1, "flag": "yes"})",
+      problems);
+  ASSERT_TRUE(json);
+  {
+    Fields fields(Value(*json, "", problems));
+    EXPECT_EQ(fields.number("n", 0, 9), 2);
+    EXPECT_EQ(fields.number("not there", 0, 9, 7.0), 7);
+    EXPECT_TRUE(fields.flag("on", false));
+    EXPECT_EQ(fields.word("word", {"a", "b"}), 1U);
+    EXPECT_EQ(fields.items("list", 5).size(), 2U);
+    const auto members = fields.members("of", 5);
+    ASSERT_EQ(members.size(), 2U);
+    EXPECT_EQ(members[0].first, "z") << "in the order of the text";
+    EXPECT_FALSE(problems.any());
+    EXPECT_EQ(fields.whole("w", 1, 9), 1);
+    EXPECT_EQ(fields.text("missing"), "");
+    EXPECT_FALSE(fields.flag("flag", false));
+  }
+  const std::string text = problems.error().text();
+  for (const char* part :
+       {"w: must be an integer from 1 to 9", "missing: is missing", "flag: must be true",
+        "more: unknown key. Allowed: n, not there, on"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }
 
 TEST(StrictJson, CountsWhatItDoesNotShow) {

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <limits>
 
-#include "skein/layer/environment/raster/csv_table.h"
-
 namespace skein::environment {
 namespace {
 

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "skein/layer/environment/raster/csv_table.h"
+#include "skein/base/csv.h"
 
 namespace skein::environment {
 namespace {
@@ -361,8 +361,8 @@ std::string utc_text(double seconds) {
 
 std::optional<DateTime> parse_date_or_number(std::string_view text, DateOrder order,
                                              bool plain) {
-  const auto number = parse_number(text);
-  if (!number) return parse_date(text, order);
+  const auto number = number_in(text);
+  if (!number || !std::isfinite(*number)) return parse_date(text, order);
   const double size = std::abs(*number);
   if (plain || size < 1e7) {
     if (size >= 1e12) return std::nullopt;

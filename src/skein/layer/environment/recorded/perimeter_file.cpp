@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "skein/base/csv.h"
 #include "skein/geo/gdal/gdal_guard.h"
 #include "skein/geo/gdal/vector_files.h"
-#include "skein/layer/environment/raster/csv_table.h"
 #include "skein/layer/environment/raster/date_column.h"
 #include "skein/layer/environment/recorded/feature_times.h"
 #include "skein/layer/environment/recorded/fire_features.h"
@@ -83,6 +83,11 @@ Result<RawSeries> read_table(const std::string& path, const PerimeterFileOptions
   const auto loaded = CsvTable::load(path);
   if (!loaded) return loaded.error();
   const CsvTable& table = loaded.value();
+  std::vector<std::string_view> used = {"file", "n", "object_id"};
+  if (!options.time_field.empty()) used.push_back(options.time_field);
+  const auto names = time_names();
+  used.insert(used.end(), names.begin(), names.end());
+  if (auto unique = table.check_unique(used); !unique) return unique.error();
   std::optional<std::size_t> time;
   if (!options.time_field.empty()) {
     time = table.column(options.time_field);

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
-#include "skein/layer/environment/raster/csv_table.h"
+#include "skein/base/csv.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
 
 namespace skein::environment {
@@ -13,7 +15,11 @@ namespace {
 
 constexpr double kLongest = 1e9;  // [s], some 30 years
 
+constexpr std::array<std::string_view, 5> kColumns = {"t_s", "speed_mps", "from_deg",
+                                                      "north_mps", "east_mps"};
+
 Result<SeriesWind> from_table(const CsvTable& table, const std::string& place) {
+  if (auto unique = table.check_unique(kColumns); !unique) return unique.error();
   const auto time = table.column("t_s");
   const auto speed = table.column("speed_mps"), from = table.column("from_deg");
   const auto north = table.column("north_mps"), east = table.column("east_mps");

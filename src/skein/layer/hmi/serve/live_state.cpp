@@ -35,36 +35,36 @@ struct KeyFinder {
   }
   Key operator()(const ZoneRecord& r) const { return key(0, 0, r.change.zone.name); }
   Key operator()(const PlannerRecord& r) const {
-    return key(r.id.value, static_cast<std::uint64_t>(r.change.link));
+    return key(r.id.value, static_cast<std::uint64_t>(r.value.link));
   }
   Key operator()(const ObjectMotion& r) const { return key(r.object); }
   Key operator()(const ObjectBeliefRecord& r) const {
-    return key(r.believer.value, r.belief.object, r.belief.mission);
+    return key(r.id.value, r.value.object, r.value.mission);
   }
   Key operator()(const MissionRecord& r) const {
-    return key(r.station.value, 0, r.change.mission);
+    return key(r.id.value, 0, r.value.mission);
   }
   Key operator()(const MissionProgressRecord& r) const { return key(r.id.value); }
   Key operator()(const TrafficMotion& r) const { return key(r.traffic); }
   Key operator()(const TrafficBeliefRecord& r) const {
-    return key(r.believer.value, r.belief.track);
+    return key(r.id.value, r.value.track);
   }
   Key operator()(const TeamLeadRecord& r) const { return key(r.id.value); }
-  Key operator()(const AlertRecord& r) const { return key(r.id.value, r.alert.track); }
+  Key operator()(const AlertRecord& r) const { return key(r.id.value, r.value.track); }
   Key operator()(const BandRecord& r) const { return key(r.id.value); }
   Key operator()(const RecommendationRecord& r) const { return key(r.id.value); }
   Key operator()(const TeamAllocationRecord& r) const {
-    return key(r.report.proposer.value, r.report.number, r.report.team);
+    return key(r.value.proposer.value, r.value.number, r.value.team);
   }
   Key operator()(const TeamTaskRecord& r) const {
-    return key(r.id.value, r.report.number);
+    return key(r.id.value, r.value.number);
   }
   Key operator()(const RadioUseRecord& r) const { return key(r.id.value); }
   Key operator()(const LinkUseRecord& r) const {
     return key(r.use.from.value, r.use.to.value);
   }
   Key operator()(const FlightPathRecord& r) const { return key(r.id.value); }
-  Key operator()(const TaskReasonRecord& r) const { return key(r.reason.aircraft.value); }
+  Key operator()(const TaskReasonRecord& r) const { return key(r.value.aircraft.value); }
   Key operator()(const Footprint& r) const { return key(r.aircraft.value, r.sensor); }
   // An order: the newest to each aircraft is its task.
   Key operator()(const MessageRecord& r) const { return key(r.message.to.value); }
@@ -88,9 +88,9 @@ constexpr bool kIsThing =
 bool is_over(const Record& record) {
   if (const auto* zone = std::get_if<ZoneRecord>(&record)) return !zone->change.on;
   if (const auto* alert = std::get_if<AlertRecord>(&record))
-    return alert->alert.level == 0;
+    return alert->value.level == 0;
   if (const auto* bands = std::get_if<BandRecord>(&record))
-    return bands->bands.level == 0;
+    return bands->value.level == 0;
   return false;
 }
 

@@ -51,11 +51,11 @@ bool MissionStatistics::measures() const {
 
 void MissionStatistics::mission(const MissionRecord& record) {
   advance(record.time);
-  Mission& mission = missions_[{record.station, record.change.mission}];
-  switch (record.change.state) {
+  Mission& mission = missions_[{record.id, record.value.mission}];
+  switch (record.value.state) {
     case MissionState::kBegun:
-      mission = {record.change.mission, record.station, record.time, {}, true, nullptr};
-      mission.meter = std::visit(MakeMeter{record.time}, record.change.goal);
+      mission = {record.value.mission, record.id, record.time, {}, true, nullptr};
+      mission.meter = std::visit(MakeMeter{record.time}, record.value.goal);
       if (mission.meter)
         for (const auto& [object, all] : motions_)
           for (const ObjectMotion& motion : all) mission.meter->object_moves(motion);
@@ -66,10 +66,10 @@ void MissionStatistics::mission(const MissionRecord& record) {
       return;
     case MissionState::kResumed:
       mission.runs = true;
-      if (mission.meter) mission.meter->goal_changed(record.change.goal);
+      if (mission.meter) mission.meter->goal_changed(record.value.goal);
       return;
     case MissionState::kChanged:
-      if (mission.meter) mission.meter->goal_changed(record.change.goal);
+      if (mission.meter) mission.meter->goal_changed(record.value.goal);
       return;
     case MissionState::kOver:
       mission.runs = false;
@@ -126,9 +126,9 @@ void MissionStatistics::motion(const ObjectMotion& motion) {
 }
 
 void MissionStatistics::belief(const ObjectBeliefRecord& record) {
-  const auto found = missions_.find({record.believer, record.belief.mission});
+  const auto found = missions_.find({record.id, record.value.mission});
   if (found != missions_.end() && found->second.meter)
-    found->second.meter->believed(record.time, record.belief);
+    found->second.meter->believed(record.time, record.value);
 }
 
 void MissionStatistics::advance(Time now) {

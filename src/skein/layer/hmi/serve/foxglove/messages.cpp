@@ -304,7 +304,7 @@ std::string Messages::paths(const Paths& all, Time time) const {
   Scene scene(stamp(since_1970_ns(time)));
   for (const auto& [id, record] : all) {
     Json points = Json::array();
-    for (const PathPoint& each : record.path.points)
+    for (const PathPoint& each : record.value.points)
       points.push_back(point(Vec2(each.north, each.east), each.altitude_msl));
     scene.add_lines(fmt::format("{}", id.value),
                     Json::array({line(std::move(points), kPath)}));

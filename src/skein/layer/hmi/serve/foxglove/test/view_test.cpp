@@ -149,7 +149,7 @@ TEST_F(FoxgloveView, EventsAndMetricsAreSaidOnceEach) {
 TEST_F(FoxgloveView, PathsLeadWhereTheAircraftExpectToFly) {
   FlightPathRecord record;
   record.id = kScout;
-  record.path.points = {{0, 1, 2, 3}, {10, 100, 200, 300}};
+  record.value.points = {{0, 1, 2, 3}, {10, 100, 200, 300}};
   view.take({LiveRecord{record}});
   const Json line = state("/plans")["entities"].at(0)["lines"].at(0);
   EXPECT_EQ(line["points"].at(1), Json({{"x", 200}, {"y", 100}, {"z", 300}}));
