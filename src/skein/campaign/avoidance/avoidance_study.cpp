@@ -169,9 +169,10 @@ Result<StudyPlan> plan_avoidance_study(const AvoidanceStudy& study,
     if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
     scenario::Scenario run = *std::move(read.scenario);
     std::string text = scenario::write_scenario(run, kinds);
-    const std::string files = data.of(scenario::named_files(run, kinds));
+    const auto files = data.of(scenario::named_files(run, kinds));
+    if (!files) return files.error();
     plan.cells.front().items.push_back(plan.items.size());
-    plan.items.push_back({each.name, std::move(run), std::move(text), files});
+    plan.items.push_back({each.name, std::move(run), std::move(text), files.value()});
   }
   return plan;
 }

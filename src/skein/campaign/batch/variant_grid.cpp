@@ -46,8 +46,8 @@ Result<StudyPlan> plan_grid(VariantGrid grid, const ScenarioReader& reader) {
           for (const std::string& text : *list) overrides.push_back({text});
         auto read = reader.read(grid.base, overrides);
         if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
-        const std::string files =
-            data.of(scenario::named_files(*read.scenario, reader.kinds()));
+        const auto files = data.of(scenario::named_files(*read.scenario, reader.kinds()));
+        if (!files) return files.error();
         for (int k = 0; k < grid.seeds; ++k) {
           scenario::Scenario run = *read.scenario;
           run.seed = static_cast<std::uint64_t>(grid.first_seed + k);
@@ -55,7 +55,8 @@ Result<StudyPlan> plan_grid(VariantGrid grid, const ScenarioReader& reader) {
                                  run.seed);
           cell.items.push_back(plan.items.size());
           std::string text = scenario::write_scenario(run, reader.kinds());
-          plan.items.push_back({run.name, std::move(run), std::move(text), files});
+          plan.items.push_back(
+              {run.name, std::move(run), std::move(text), files.value()});
         }
         plan.cells.push_back(std::move(cell));
       }

@@ -210,9 +210,10 @@ Result<StudyPlan> plan_campaign(const CampaignFile& file, const CampaignOptions&
       scenario::Scenario run = *std::move(read.scenario);
       run.name = fmt::format("{}{}{}", path, path.empty() ? "" : "/", seed);
       std::string text = scenario::write_scenario(run, reader.kinds());
-      const std::string files = data.of(scenario::named_files(run, reader.kinds()));
+      const auto files = data.of(scenario::named_files(run, reader.kinds()));
+      if (!files) return files.error();
       cell.items.push_back(plan.items.size());
-      plan.items.push_back({run.name, std::move(run), std::move(text), files});
+      plan.items.push_back({run.name, std::move(run), std::move(text), files.value()});
     }
     plan.cells.push_back(std::move(cell));
   }

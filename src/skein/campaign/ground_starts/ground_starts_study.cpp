@@ -125,8 +125,9 @@ Result<StudyPlan> plan_ground_starts_study(const GroundStartsStudy& study,
     plan.cells[cells.at({d.aircraft, d.turbulence, d.stand})].items.push_back(
         plan.items.size());
     std::string text = scenario::write_scenario(run, reader.kinds());
-    const std::string files = data.of(scenario::named_files(run, reader.kinds()));
-    plan.items.push_back({run.name, std::move(run), std::move(text), files});
+    const auto files = data.of(scenario::named_files(run, reader.kinds()));
+    if (!files) return files.error();
+    plan.items.push_back({run.name, std::move(run), std::move(text), files.value()});
   }
   return plan;
 }

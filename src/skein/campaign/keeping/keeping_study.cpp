@@ -64,8 +64,9 @@ Result<BatchItem> make_item(const KeepingStudy& study, const ScenarioReader& rea
   scenario::Scenario run = *std::move(read.scenario);
   run.name = name + std::to_string(seed);
   std::string text = scenario::write_scenario(run, reader.kinds());
-  const std::string files = data.of(scenario::named_files(run, reader.kinds()));
-  return BatchItem{run.name, std::move(run), std::move(text), files};
+  const auto files = data.of(scenario::named_files(run, reader.kinds()));
+  if (!files) return files.error();
+  return BatchItem{run.name, std::move(run), std::move(text), files.value()};
 }
 
 constexpr std::array kFigures = {

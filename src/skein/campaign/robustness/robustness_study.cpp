@@ -106,8 +106,9 @@ Result<StudyPlan> plan_robustness_study(const RobustnessStudy& study,
         fmt::format("{}/{}/{:.1f}/{}", names[which], kTurbulence[rough], wind, seed);
     plan.cells[cell].items.push_back(plan.items.size());
     std::string text = scenario::write_scenario(run, reader.kinds());
-    const std::string files = data.of(scenario::named_files(run, reader.kinds()));
-    plan.items.push_back({run.name, std::move(run), std::move(text), files});
+    const auto files = data.of(scenario::named_files(run, reader.kinds()));
+    if (!files) return files.error();
+    plan.items.push_back({run.name, std::move(run), std::move(text), files.value()});
   }
   return plan;
 }

@@ -33,7 +33,9 @@ Result<BatchItem> flight_of(const TuningStudy& study, const std::string& name, i
   item.scenario.seed = static_cast<std::uint64_t>(seed);
   item.scenario.name = item.name = fmt::format("{}/{}", name, seed);
   item.text = scenario::write_scenario(item.scenario, reader.kinds());
-  item.data = data.of(scenario::named_files(item.scenario, reader.kinds()));
+  auto files = data.of(scenario::named_files(item.scenario, reader.kinds()));
+  if (!files) return files.error();
+  item.data = std::move(files).value();
   return item;
 }
 
