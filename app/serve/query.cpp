@@ -52,8 +52,7 @@ Result<std::map<std::string, std::string>> read_query(
                                   ? "This address takes no parameters."
                                   : fmt::format("Allowed: {}.", fmt::join(allowed, ", "));
     return Error{ErrorCode::kBadInput, "",
-                 fmt::format("query parameter \"{}\" {}.", shown_name(name), why),
-                 there};
+                 fmt::format("query parameter \"{}\" {}.", shown_name(name), why), there};
   };
   while (!query.empty()) {
     const std::string_view part = query.substr(0, query.find('&'));
