@@ -158,12 +158,14 @@ Separation separation_of(const AvoidanceStudy& study, const AvoidanceCase& flown
 }
 
 Result<StudyPlan> plan_avoidance_study(const AvoidanceStudy& study,
-                                       const scenario::KindTable& kinds) {
+                                       const ScenarioReader& reader) {
   if (auto error = refuse(study)) return *error;
+  const scenario::KindTable& kinds = reader.kinds();
   StudyPlan plan;
   DataFingerprint data;
   plan.cells.push_back({"all", study.method, study.plant, {}});
   for (const AvoidanceCase& each : study.cases) {
+    if (auto going = reader.go_on(); !going) return going.error();
     auto read =
         scenario::read_scenario_text(scenario_of(study, each), each.name, ".", kinds);
     if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};

@@ -117,8 +117,8 @@ Result<StudyPlan> plan_ground_starts_study(const GroundStartsStudy& study,
     std::vector<scenario::Override> overrides = overrides_of(d, aircraft, seed);
     for (const std::string& text : study.overrides) overrides.push_back({text});
     auto read = reader.read(study.base, overrides);
-    if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
-    scenario::Scenario run = *std::move(read.scenario);
+    if (!read) return read.error();
+    scenario::Scenario run = std::move(read).value();
     run.name =
         fmt::format("{}/{}/{}/{:.1f}/{}", aircraft.name, kStartTurbulence[d.turbulence],
                     kStands[d.stand], d.wind, seed);

@@ -98,8 +98,8 @@ Result<StudyPlan> plan_robustness_study(const RobustnessStudy& study,
     overrides.push_back({fmt::format("seed={}", seed)});
     for (const std::string& text : study.overrides) overrides.push_back({text});
     auto read = reader.read(study.base, overrides);
-    if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
-    scenario::Scenario run = *std::move(read.scenario);
+    if (!read) return read.error();
+    scenario::Scenario run = std::move(read).value();
     const std::size_t cell =
         (which * kTurbulence.size() + rough) * 2 + (wind < kMaxWindSpeed / 2 ? 0 : 1);
     run.name =

@@ -27,9 +27,9 @@ Result<BatchItem> flight_of(const TuningStudy& study, const std::string& name, i
   std::vector<scenario::Override> overrides;
   for (const std::string& text : changes) overrides.push_back({text});
   auto read = reader.read(study.base, overrides);
-  if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
+  if (!read) return read.error();
   BatchItem item;
-  item.scenario = std::move(*read.scenario);
+  item.scenario = std::move(read).value();
   item.scenario.seed = static_cast<std::uint64_t>(seed);
   item.scenario.name = item.name = fmt::format("{}/{}", name, seed);
   item.text = scenario::write_scenario(item.scenario, reader.kinds());
