@@ -28,7 +28,8 @@ class Input {
   Result<void> open_file(const std::string& name) {
     name_ = name == "-" ? "standard input" : name;
     if (name == "-") return {};
-    descriptor_ = ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+    // A pipe without a writer yet is waited for in next(), where a signal is seen.
+    descriptor_ = ::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor_ < 0)
       return Error{ErrorCode::kNotFound, name,
                    fmt::format("cannot be read: {}.", std::strerror(errno)), ""};

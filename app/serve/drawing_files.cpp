@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/serve/drawing_files.h"
 
-#include <algorithm>
-#include <cctype>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/serve/query.h"
 #include "skein/exchange/gis/map_features.h"
 
 namespace skein::serve {
@@ -19,7 +19,7 @@ using exchange::MapFeature;
 
 constexpr std::size_t kMaxFeatures = 2000;       // that a page may draw
 constexpr std::size_t kMaxDrawnPoints = 50'000;  // of all of them
-constexpr std::size_t kMaxNameLength = 100;
+constexpr std::string_view kParameters[] = {"name"};
 
 hmi::HttpAnswer with_status(unsigned status, const Json& value) {
   hmi::HttpAnswer answer;
@@ -29,28 +29,14 @@ hmi::HttpAnswer with_status(unsigned status, const Json& value) {
   return answer;
 }
 
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  const int letter = std::toupper(static_cast<unsigned char>(c));
-  return letter >= 'A' && letter <= 'F' ? letter - 'A' + 10 : -1;
-}
-
 // The name that a query gives, for messages only; without what a terminal would obey.
-std::string name_in(std::string_view query) {
-  constexpr std::string_view kKey = "name=";
-  std::string name;
-  if (query.starts_with(kKey)) query.remove_prefix(kKey.size());
-  query = query.substr(0, query.find('&'));
-  for (std::size_t i = 0; i < query.size() && name.size() < kMaxNameLength; ++i) {
-    char c = query[i];
-    if (c == '%' && i + 2 < query.size() && hex_digit(query[i + 1]) >= 0 &&
-        hex_digit(query[i + 2]) >= 0) {
-      c = static_cast<char>(16 * hex_digit(query[i + 1]) + hex_digit(query[i + 2]));
-      i += 2;
-    }
-    name += static_cast<unsigned char>(c) < ' ' || c == '\x7F' ? '?' : c;
-  }
-  return name.empty() ? "the file" : name;
+std::string file_name(const std::map<std::string, std::string>& query) {
+  const auto given = query.find("name");
+  if (given == query.end() || given->second.empty()) return "the file";
+  std::string name = given->second;
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = '?';
+  return name;
 }
 
 Json ring_json(const std::vector<Vec2>& points) {
@@ -93,7 +79,9 @@ hmi::HttpAnswer drawings_of(const hmi::HttpRequest& request,
   }
   if (request.access.role == AccessRole::kViewer)
     return with_status(403, {{"error", "viewers do not draw."}});
-  const std::string name = name_in(request.query);
+  if (auto refused = refused_query(request.query, kParameters))
+    return *std::move(refused);
+  const std::string name = file_name(read_query(request.query, kParameters).value());
   std::vector<std::string> warnings;
   const auto features = exchange::read_map_text(request.body, name, frame, warnings);
   if (!features) return with_status(422, {{"error", features.error().text()}});

@@ -18,7 +18,8 @@ inline constexpr std::string_view kDrawingsPath = "/api/drawings";
 ///                  "rings": [[[north_m, east_m]...]...], "radius_m"}], "notes": [""...]}
 ///
 /// Points and circles have one ring of one point, lines one ring of theirs. A file that
-/// the command line would refuse is answered with 422 and {"error"}, viewers with 403.
+/// the command line would refuse is answered with 422 and {"error"}, viewers with 403,
+/// another query with 400.
 hmi::HttpAnswer drawings_of(const hmi::HttpRequest& request,
                             const geo::LocalFrame& frame);
 

@@ -9,6 +9,7 @@
 
 #include "app/serve/drawing_files.h"
 #include "app/serve/fire_files.h"
+#include "app/serve/query.h"
 #include "app/serve/resident_memory.h"
 #include "app/serve/task_forms.h"
 #include "app/serve/terrain_bytes.h"
@@ -272,6 +273,8 @@ hmi::HttpAnswer RunPage::answer(const hmi::HttpRequest& request) const {
     return answer;
   }
   if (!is_read) return nothing();
+  if (request.path.starts_with("/api/") && is_known(request.path))
+    if (auto refused = refused_query(request.query, {})) return *std::move(refused);
   if (request.path == "/api/run") {
     Json run = Json::parse(description_);
     run["you"] = {{"role", name_of(request.access.role)}, {"name", request.access.name}};

@@ -174,7 +174,8 @@ int avoidance_study(const StudyArguments& arguments, assemble::KindRegistry& kin
   }
   auto study = study_of(arguments);
   if (!study) return say_error(study.error());
-  auto plan = campaign::plan_avoidance_study(study.value(), kinds.table());
+  auto plan = campaign::plan_avoidance_study(
+      study.value(), campaign::ScenarioReader(kinds.table(), {}, {}, &stop));
   if (!plan) return say_error(plan.error());
   const bool file = folder.extension() == ".csv";
   const fs::path runs = file ? fs::path(folder).replace_extension(".runs") : folder;

@@ -15,7 +15,7 @@ int robustness_study(const StudyArguments& arguments, assemble::KindRegistry& ki
   take_arguments(arguments, "robustness.yaml", study);
   study.aircraft = arguments.cases;
   const auto plan =
-      campaign::plan_robustness_study(study, reader_of(kinds, arguments.plugins));
+      campaign::plan_robustness_study(study, reader_of(kinds, arguments.plugins, stop));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
                                  [&](const campaign::BatchItem& item) {
@@ -37,8 +37,8 @@ int ground_starts_study(const StudyArguments& arguments, assemble::KindRegistry&
   campaign::GroundStartsStudy study;
   take_arguments(arguments, "ground-starts.yaml", study);
   study.aircraft = arguments.cases;
-  const auto plan =
-      campaign::plan_ground_starts_study(study, reader_of(kinds, arguments.plugins));
+  const auto plan = campaign::plan_ground_starts_study(
+      study, reader_of(kinds, arguments.plugins, stop));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
                                  [&](const campaign::BatchItem& item) {
@@ -61,7 +61,7 @@ int keeping_study(const StudyArguments& arguments, assemble::KindRegistry& kinds
   take_arguments(arguments, "keeping.yaml", study);
   study.aircraft = arguments.cases;
   const auto plan =
-      campaign::plan_keeping_study(study, reader_of(kinds, arguments.plugins));
+      campaign::plan_keeping_study(study, reader_of(kinds, arguments.plugins, stop));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
                                  [&](const campaign::BatchItem& item) {

@@ -29,7 +29,7 @@ int following_study(const StudyArguments& arguments, assemble::KindRegistry& kin
   take_arguments(arguments, "wind-following.yaml", study);
   study.winds = arguments.cases;
   const auto plan =
-      campaign::plan_following_study(study, reader_of(kinds, arguments.plugins));
+      campaign::plan_following_study(study, reader_of(kinds, arguments.plugins, stop));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop,
                                  [&](const campaign::BatchItem& item) {

@@ -21,7 +21,7 @@ int monitoring_study(const StudyArguments& arguments, assemble::KindRegistry& ki
   study.estimators = arguments.estimators;
   study.strategies = arguments.strategies;
   const auto plan =
-      campaign::plan_monitoring_study(study, reader_of(kinds, arguments.plugins));
+      campaign::plan_monitoring_study(study, reader_of(kinds, arguments.plugins, stop));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
@@ -44,7 +44,7 @@ int bridge_study(const StudyArguments& arguments, assemble::KindRegistry& kinds,
     study.overrides.insert(study.overrides.begin(), fitted.begin(), fitted.end());
   }
   const auto plan =
-      campaign::plan_bridge_study(study, reader_of(kinds, arguments.plugins));
+      campaign::plan_bridge_study(study, reader_of(kinds, arguments.plugins, stop));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());
@@ -59,7 +59,7 @@ int fidelity_study(const StudyArguments& arguments, assemble::KindRegistry& kind
   take_arguments(arguments, "wildfire.yaml", study);
   study.levels = arguments.cases;
   const auto plan =
-      campaign::plan_fidelity_study(study, reader_of(kinds, arguments.plugins));
+      campaign::plan_fidelity_study(study, reader_of(kinds, arguments.plugins, stop));
   if (!plan) return say_error(plan.error());
   const auto outcomes = run_plan(plan.value(), arguments.threads, kinds, folder, stop);
   if (!outcomes) return say_error(outcomes.error());

@@ -36,7 +36,8 @@ fs::path shipped_scenario(const std::string& name) {
 }
 
 campaign::ScenarioReader reader_of(assemble::KindRegistry& kinds,
-                                   const std::vector<std::string>& plugins) {
+                                   const std::vector<std::string>& plugins,
+                                   const std::atomic<bool>& stop) {
   std::vector<std::string> paths;
   for (const std::string& plugin : plugins)
     paths.push_back(fs::canonical(plugin).string());
@@ -44,7 +45,7 @@ campaign::ScenarioReader reader_of(assemble::KindRegistry& kinds,
           [&kinds](const std::string& plugin, const scenario::Source& named_in) {
             return assemble::load_named_plugin(plugin, named_in, kinds);
           },
-          std::move(paths)};
+          std::move(paths), &stop};
 }
 
 namespace {

@@ -39,8 +39,10 @@ void take_arguments(const StudyArguments& arguments, const char* scenario, Study
 /// `kinds` asks for, as by `skein run`.
 /// @param kinds    outlives it.
 /// @param plugins  of the command line.
+/// @param stop     outlives it: reading ends when somebody asks to stop.
 campaign::ScenarioReader reader_of(assemble::KindRegistry& kinds,
-                                   const std::vector<std::string>& plugins);
+                                   const std::vector<std::string>& plugins,
+                                   const std::atomic<bool>& stop);
 
 /// Made when there is something to put into it: what is refused leaves nothing behind.
 /// Until it ends, this program is the only one that writes there.

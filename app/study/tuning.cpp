@@ -107,7 +107,7 @@ class Tuning {
          const fs::path& folder, const std::atomic<bool>& stop)
       : arguments_(arguments),
         kinds_(kinds),
-        reader_(reader_of(kinds, arguments.plugins)),
+        reader_(reader_of(kinds, arguments.plugins, stop)),
         folder_(folder),
         stop_(stop) {
     take_arguments(arguments, "tuning.yaml", study_);
@@ -126,8 +126,8 @@ class Tuning {
     std::vector<scenario::Override> overrides;
     for (const std::string& text : arguments_.overrides) overrides.push_back({text});
     const auto read = reader_.read(study_.base, overrides);
-    if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
-    auto base = assemble::tuning_gains_of(*read.scenario);
+    if (!read) return read.error();
+    auto base = assemble::tuning_gains_of(read.value());
     if (!base) return base.error();
     base_ = std::move(base).value();
     auto sets = sets_of(arguments_, base_);

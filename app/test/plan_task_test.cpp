@@ -348,7 +348,7 @@ TEST_F(PlanTask, ZonesMayBeNoneAndMoversAmongThemAreNoted) {
 
 TEST_F(PlanTask, TerrainThatEndsTooEarlyIsSaidWithOptionsOfPlans) {
   const fs::path raster = fs::path(SKEIN_SHARED_DATA) / "terrain/askervein/askervein.tif";
-  if (!fs::exists(raster)) GTEST_SKIP() << "no shared data";
+  if (!fs::exists(raster)) GTEST_SKIP() << "no " << raster;
   const Finished off =
       plan("path", {"--origin", "57.18,-7.37", "--from", "0,0,0,500", "--to",
                     "0,3500,0,500", "--terrain", raster.string()});

@@ -2,6 +2,7 @@
 // skein plan connect: what it takes, what it writes, what it refuses.
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <sstream>
@@ -202,6 +203,25 @@ TEST_F(PlanBatch, AnswersInAPipeAtOnceAndStopsWhenAsked) {
   EXPECT_EQ(WEXITSTATUS(status), 130);
   close(to[1]);
   close(from[0]);
+}
+
+TEST_F(PlanBatch, StopsWhileItWaitsForThePipeOfItsRows) {
+  ASSERT_EQ(mkfifo((folder_ / "rows").c_str(), 0600), 0);
+  const pid_t child = start({"plan", "connect", "--batch", "rows"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // it waits by then
+  kill(child, SIGINT);
+  EXPECT_EQ(finish(child).status, 130);
+}
+
+TEST_F(PlanBatch, StopsWhileItWaitsForWhoReadsItsAnswers) {
+  ASSERT_EQ(mkfifo((folder_ / "answers").c_str(), 0600), 0);
+  const auto rows =
+      write("cases.csv", std::string(kHeader) + "0,0,0,600,0,0,15,60,0,0\n");
+  const pid_t child =
+      start({"plan", "connect", "--batch", rows.string(), "--output", "answers"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  kill(child, SIGINT);
+  EXPECT_EQ(finish(child).status, 130);
 }
 
 TEST_F(PlanBatch, EndsWhenNobodyReads) {

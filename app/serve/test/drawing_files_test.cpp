@@ -18,12 +18,12 @@ struct Drawn {
 };
 
 Drawn ask(const std::string& body, AccessRole role = AccessRole::kOperator,
-          const char* method = "POST") {
+          const char* method = "POST", const char* query = "name=a%20b%0a.geojson") {
   static const geo::LocalFrame frame = geo::LocalFrame::at({38.92, -121.03, 0}).value();
   hmi::HttpRequest request;
   request.method = method;
   request.path = kDrawingsPath;
-  request.query = "name=a%20b%0a.geojson";
+  request.query = query;
   request.body = body;
   request.access.role = role;
   const hmi::HttpAnswer answer = drawings_of(request, frame);
@@ -74,6 +74,16 @@ TEST(DrawingFiles, KeepFencesAndCircles) {
   EXPECT_EQ(circle["purpose"], "exclusion");
   EXPECT_EQ(circle["kind"], "circle");
   EXPECT_EQ(circle["radius_m"], 40);
+}
+
+TEST(DrawingFiles, TakeNoOtherQueryThanTheirName) {
+  const std::string map = area_at(-121.03, 38.925);
+  const Drawn refused = ask(map, AccessRole::kOperator, "POST", "name=a&epsg=32610");
+  EXPECT_EQ(refused.status, 400u);
+  const std::string error = refused.json["error"];
+  EXPECT_NE(error.find("epsg"), std::string::npos) << error;
+  EXPECT_NE(error.find("Allowed: name."), std::string::npos) << error;
+  EXPECT_EQ(ask(map, AccessRole::kOperator, "POST", "").status, 200u);
 }
 
 TEST(DrawingFiles, AreForThoseWhoSteer) {

@@ -228,6 +228,9 @@ TEST(RunPage, AnswersWhatItsDescriptionForProgramsSays) {
     if (!path.second["get"] || target.find('{') != std::string::npos) continue;
     const auto answer = hmi::ask(port_of(*page.value()), {.target = target});
     EXPECT_EQ(answer.result_int(), 200U) << target;
+    const auto odd = hmi::ask(port_of(*page.value()), {.target = target + "?units=feet"});
+    EXPECT_EQ(odd.result_int(), 400U) << target;
+    EXPECT_NE(odd.body().find("units"), std::string::npos) << odd.body();
     const auto content = *path.second["get"]["responses"]["200"]["content"].begin();
     EXPECT_EQ(answer[hmi::http::field::content_type], content.first.as<std::string>());
     if (!content.second["schema"]["$ref"]) continue;
@@ -246,10 +249,12 @@ TEST(RunPage, AnswersWhatItsDescriptionForProgramsSays) {
   // Of a run that has not begun.
   for (const auto& format :
        described["paths"]["/api/fire.{format}"]["get"]["parameters"][0]["schema"]["enum"])
-    EXPECT_EQ(hmi::ask(port_of(*page.value()),
-                       {.target = "/api/fire." + format.as<std::string>()})
-                  .result_int(),
-              404U);
+    for (const auto& [query, status] :
+         {std::pair("", 404U), std::pair("?at_s=600", 400U)})
+      EXPECT_EQ(hmi::ask(port_of(*page.value()),
+                         {.target = "/api/fire." + format.as<std::string>() + query})
+                    .result_int(),
+                status);
   const Json health =
       Json::parse(hmi::ask(port_of(*page.value()), {.target = "/api/health"}).body());
   EXPECT_EQ(health["duration_s"], 600);  // before the first step too

@@ -2,12 +2,14 @@
 #include "skein/base/output_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <utility>
@@ -18,13 +20,23 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMaxLinks = 40;  // followed one after the other, as Linux does
+constexpr timespec kReaderPause{0, 20'000'000};  // between two looks for a reader
 
 Error not_written(const fs::path& file, const std::string& reason) {
   return {ErrorCode::kUnavailable, file.string(), "cannot be written: " + reason + ".",
           "Is the folder writable, the disk full?"};
 }
 Error not_written(const fs::path& file, int code) {
+  if (code == EINTR)
+    return {ErrorCode::kInterrupted, file.string(),
+            "waited for who reads it until a signal came.", ""};
   return not_written(file, std::string(std::strerror(code)));
+}
+
+// Waits until a pipe or a device takes more; false, with EINTR, when a signal has come.
+bool wait_for_room(int fd) {
+  pollfd there{fd, POLLOUT, 0};
+  return ::poll(&there, 1, -1) >= 0;
 }
 
 // errno, or 0.
@@ -32,6 +44,7 @@ int write_all(int fd, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(fd, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
+    if (written < 0 && errno == EAGAIN && wait_for_room(fd)) continue;
     if (written < 0) return errno;
     text.remove_prefix(static_cast<std::size_t>(written));
   }
@@ -152,9 +165,28 @@ Result<void> replace(const fs::path& file, const Target& target, std::string_vie
   return not_written(file, code);
 }
 
-// For writing to the target as it is, or errno as a negative number.
-int open_target(const Target& target, int flags) {
+// A pipe or a device, or errno as a negative number. open() would wait for a reader, and
+// go on waiting when a signal comes. Signals come in ppoll() only, so none is missed.
+int open_special(const Target& target) {
+  sigset_t all, before;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  int fd = -1, failed = 0;
+  do {
+    fd = ::open(target.path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    failed = fd < 0 ? errno : 0;
+    if (failed != ENXIO || !S_ISFIFO(target.state.st_mode)) break;
+    if (::ppoll(nullptr, 0, &kReaderPause, &before) < 0) failed = errno;
+  } while (failed == ENXIO);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return failed == 0 ? fd : -failed;
+}
+
+// For writing to the target as it is, or errno as a negative number. `flags` are for
+// regular files.
+int open_target(const Target& target, OutputPlace place, int flags) {
   if (target.descriptor == STDOUT_FILENO) std::fflush(stdout);
+  if (!target.descriptor && place == OutputPlace::kThrough) return open_special(target);
   const int fd =
       target.descriptor
           ? ::fcntl(*target.descriptor, F_DUPFD_CLOEXEC, 0)
@@ -164,7 +196,7 @@ int open_target(const Target& target, int flags) {
 
 Result<void> write_through(const fs::path& file, const Target& target,
                            std::string_view text) {
-  const int fd = open_target(target, 0);
+  const int fd = open_target(target, OutputPlace::kThrough, 0);
   if (fd < 0) return not_written(file, -fd);
   OutputDescriptor out(fd);
   const int written = out.write(text);
@@ -257,13 +289,42 @@ Result<void> check_writable(const fs::path& file) {
   return {};
 }
 
-Result<OutputStream> OutputStream::open(const fs::path& file) {
+Result<int> open_for_program(const fs::path& file) {
   const auto target = target_of(file);
   if (!target) return target.error();
   const auto place = place_of(file, target.value());
   if (!place) return place.error();
-  const bool begins = place.value() == OutputPlace::kReplaced;
-  const int fd = open_target(target.value(), begins ? O_CREAT | O_TRUNC : 0);
+  if (target.value().descriptor || place.value() == OutputPlace::kReplaced) {
+    const int fd =
+        open_target(target.value(), place.value(), O_CREAT | O_TRUNC | O_APPEND);
+    return fd < 0 ? Result<int>(not_written(file, -fd)) : fd;
+  }
+  const int fd =
+      ::open(target.value().path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (fd < 0 && errno == ENXIO && S_ISFIFO(target.value().state.st_mode))
+    return Error{ErrorCode::kUnavailable, file.string(),
+                 "cannot be written: nobody reads this pipe.",
+                 "Start what reads it first."};
+  if (fd < 0) return not_written(file, errno);
+  // A program expects that writing waits.
+  static_cast<void>(::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK));
+  return fd;
+}
+
+Result<OutputStream> OutputStream::open(const fs::path& file) {
+  return begin(file, O_CREAT | O_TRUNC);
+}
+
+Result<OutputStream> OutputStream::append(const fs::path& file) {
+  return begin(file, O_CREAT | O_APPEND);
+}
+
+Result<OutputStream> OutputStream::begin(const fs::path& file, int flags) {
+  const auto target = target_of(file);
+  if (!target) return target.error();
+  const auto place = place_of(file, target.value());
+  if (!place) return place.error();
+  const int fd = open_target(target.value(), place.value(), flags);
   if (fd < 0) return not_written(file, -fd);
   OutputStream stream;
   stream.file_ = file;

@@ -29,9 +29,9 @@ Result<OutputPlace> output_place(const std::filesystem::path& file);
 /// its owner where that is allowed. Whatever else there is stays and is written to:
 /// devices, pipes, terminals, `/dev/stdout`, `/proc/self/fd/N` (behind what the
 /// descriptor has received already). What a symbolic link names is written, the link
-/// stays.
-/// Fails: kUnavailable when it cannot be written; then a regular file has its old
-/// content.
+/// stays. A pipe that nobody reads yet is waited for, and one that is full, until a
+/// signal comes. Fails: kUnavailable when it cannot be written; then a regular file has
+/// its old content. kInterrupted when a signal ended the waiting for a reader.
 Result<void> write_file(const std::filesystem::path& file, std::string_view text);
 Result<void> write_file(const std::filesystem::path& file,
                         std::span<const std::byte> bytes);
@@ -45,14 +45,25 @@ Result<void> move_into_place(const std::filesystem::path& finished,
 /// device or pipe. Fails: kUnavailable; as write_file().
 Result<void> check_writable(const std::filesystem::path& file);
 
+/// Opens a file for another program, which is given the descriptor and appends to it. A
+/// regular one begins empty; the rest as write_file(), but a pipe that nobody reads is
+/// refused at once.
+/// @returns the descriptor, which waits like any; the caller closes it.
+/// Fails:   kUnavailable.
+Result<int> open_for_program(const std::filesystem::path& file);
+
 /// A file that is written piece by piece, for as long as there is something to write.
 ///
 /// Another than a regular file, and an open descriptor, is written to as it is, as by
-/// write_file(); a regular one begins empty, and others see what has been flushed.
+/// write_file(); of a regular one others see what has been flushed.
 class OutputStream {
  public:
-  /// Fails: kUnavailable when it cannot be written.
+  /// A regular file begins empty.
+  /// Fails: kUnavailable when it cannot be written; kInterrupted as write_file().
   static Result<OutputStream> open(const std::filesystem::path& file);
+  /// What a regular file holds already stays, and more is put behind it.
+  /// Fails: as open().
+  static Result<OutputStream> append(const std::filesystem::path& file);
 
   OutputStream() = default;  ///< nothing is written anywhere
   OutputStream(OutputStream&& other) noexcept;
@@ -63,10 +74,13 @@ class OutputStream {
   /// Appends; a failure is kept for flush().
   void write(std::string_view text);
   /// Hands all that was written to the system.
-  /// Fails: kUnavailable when something could not be written.
+  /// Fails: kUnavailable when something could not be written; kInterrupted as
+  /// write_file().
   Result<void> flush();
 
  private:
+  static Result<OutputStream> begin(const std::filesystem::path& file, int flags);
+
   std::filesystem::path file_;
   int fd_ = -1;
   int failed_ = 0;  // errno

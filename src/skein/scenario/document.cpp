@@ -62,17 +62,18 @@ std::filesystem::path start_of_paths(const std::filesystem::path& folder) {
   return error ? folder : canonical;
 }
 
-Reading read_text(std::string_view text, const std::string& name, Source source,
-                  const Document& document, const KindTable& kinds,
-                  std::span<const Override> overrides, void* target) {
-  std::vector<std::string> sources = {name};
+// `opened` has what is known of the text already.
+Reading read_text(const OpenedDocument& opened, const Document& document,
+                  const KindTable& kinds, std::span<const Override> overrides,
+                  void* target) {
+  std::vector<std::string> sources = {opened.name};
   Folders folders;
-  folders.by_source.push_back(source.folder);
+  folders.by_source.push_back(opened.source.folder);
   for (const Override& change : overrides) {
     sources.push_back("--set " + change.text);
     folders.by_source.push_back(change.folder);
   }
-  folders.source = std::move(source);
+  folders.source = opened.source;
   Problems problems(std::move(sources));
   const auto finish = [&] {
     Reading reading = finished(problems, document);
@@ -80,7 +81,9 @@ Reading read_text(std::string_view text, const std::string& name, Source source,
     return reading;
   };
 
-  std::optional<Node> root = parse_yaml(text, 0, document.name, problems);
+  std::optional<Node> root =
+      opened.root ? std::optional<Node>(*opened.root)
+                  : parse_yaml(*opened.source.text, 0, document.name, problems);
   if (!root && problems.count() == 0) {
     problems.add({0, 1, 1}, "", "the file is empty.", document.empty_hint);
   }
@@ -96,6 +99,8 @@ Reading read_text(std::string_view text, const std::string& name, Source source,
   if (document.prepare && !document.prepare(*root, folders, problems)) return finish();
   std::optional<Places> places;
   if (document.places) places = document.places(*root, kinds);
+  if (places && places->features && opened.features)
+    places->features = remembering(std::move(places->features), opened.features);
   const Reader::Care care =
       document.says_only ? Reader::Care::kWhatItSays : Reader::Care::kAll;
   Reader reader(kinds, folders, places ? &*places : nullptr, problems, care);
@@ -105,32 +110,53 @@ Reading read_text(std::string_view text, const std::string& name, Source source,
 
 }  // namespace
 
-Reading read_document(const std::filesystem::path& path, const Document& document,
-                      const KindTable& kinds, std::span<const Override> overrides,
-                      void* target) {
+OpenedDocument open_document(const std::filesystem::path& path,
+                             const Document& document) {
   // What is opened is what Source names, whatever becomes of links meanwhile.
   std::error_code no_file, no_folder;
   const auto file = std::filesystem::canonical(path, no_file);
   const auto folder = std::filesystem::absolute(path, no_folder).parent_path();
-  std::string reason;
-  auto text = load(no_file ? path : file, document.name, reason);
-  if (!text) {
-    Problems problems({path.string()});
-    problems.add({}, "", reason);
-    return finished(problems, document);
-  }
-  const auto kept = std::make_shared<const std::string>(*std::move(text));
-  return read_text(*kept, path.string(), {file, start_of_paths(folder), kept}, document,
-                   kinds, overrides, target);
+  OpenedDocument opened;
+  opened.name = path.string();
+  auto text = load(no_file ? path : file, document.name, opened.failure);
+  if (!text) return opened;
+  opened.source = {file, start_of_paths(folder),
+                   std::make_shared<const std::string>(*std::move(text))};
+  return opened;
+}
+
+Reading read_document(const OpenedDocument& file, const Document& document,
+                      const KindTable& kinds, std::span<const Override> overrides,
+                      void* target) {
+  if (file.source.text) return read_text(file, document, kinds, overrides, target);
+  Problems problems({file.name});
+  problems.add({}, "", file.failure);
+  return finished(problems, document);
+}
+
+Reading read_document(const std::filesystem::path& path, const Document& document,
+                      const KindTable& kinds, std::span<const Override> overrides,
+                      void* target) {
+  return read_document(open_document(path, document), document, kinds, overrides, target);
+}
+
+void keep_parsed(OpenedDocument& file, const Document& document) {
+  file.features = std::make_shared<FeatureMemory>();
+  if (!file.source.text) return;
+  Problems problems({file.name});
+  auto root = parse_yaml(*file.source.text, 0, document.name, problems);
+  if (root && problems.count() == 0)
+    file.root = std::make_shared<const Node>(*std::move(root));
 }
 
 Reading read_document_text(std::string_view text, const std::string& name,
                            const std::filesystem::path& folder, const Document& document,
                            const KindTable& kinds, std::span<const Override> overrides,
                            void* target) {
-  const auto kept = std::make_shared<const std::string>(text);
-  return read_text(*kept, name, {{}, start_of_paths(folder), kept}, document, kinds,
-                   overrides, target);
+  OpenedDocument opened;
+  opened.name = name;
+  opened.source = {{}, start_of_paths(folder), std::make_shared<const std::string>(text)};
+  return read_text(opened, document, kinds, overrides, target);
 }
 
 std::string write_document(const Document& document, const void* value,

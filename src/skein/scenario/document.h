@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,6 +61,25 @@ struct Reading {
 ///                   there are problems it holds something harmless.
 /// Never throws for what a file holds. A 10 MB file takes a few seconds.
 Reading read_document(const std::filesystem::path& path, const Document& document,
+                      const KindTable& kinds, std::span<const Override> overrides,
+                      void* target);
+
+/// A file that has been read, and the map files that it names, for those who read it
+/// again and again with other overrides.
+struct OpenedDocument {
+  std::string name;                  ///< what messages call it
+  Source source;                     ///< without a text when it could not be read
+  std::string failure;               ///< why; empty: it was read
+  std::shared_ptr<const Node> root;  ///< null: not well formed
+  std::shared_ptr<FeatureMemory> features;
+};
+OpenedDocument open_document(const std::filesystem::path& path, const Document& document);
+/// Parses it, so that reading it does not, and lets it keep map files.
+void keep_parsed(OpenedDocument& file, const Document& document);
+
+/// As read_document() of the file at the time at which it was opened. By one thread at a
+/// time.
+Reading read_document(const OpenedDocument& file, const Document& document,
                       const KindTable& kinds, std::span<const Override> overrides,
                       void* target);
 

@@ -1,9 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/scenario/places.h"
 
+#include <utility>
+
 #include "skein/scenario/numbers.h"
 
 namespace skein::scenario {
+
+FeatureReader remembering(FeatureReader reader, std::shared_ptr<FeatureMemory> memory) {
+  return [reader = std::move(reader), memory = std::move(memory)](
+             const std::string& file, const std::string& name, FeatureUse use,
+             const geo::LocalFrame& frame) {
+    const geo::Geodetic& at = frame.origin();
+    const FeatureMemory::key_type key{
+        file, name, use, at.latitude_deg, at.longitude_deg, at.height_m};
+    auto known = memory->find(key);
+    if (known == memory->end())
+      known = memory->emplace(key, reader(file, name, use, frame)).first;
+    return known->second;
+  };
+}
+
 std::optional<geo::LocalFrame> frame_of(const Node& root,
                                         const geo::Geodetic& default_origin) {
   geo::Geodetic origin = default_origin;

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "skein/base/result.h"
@@ -23,6 +26,14 @@ enum class FeatureUse { kPoint, kLine, kArea };
 using FeatureReader = std::function<Result<std::vector<Vec2>>(
     const std::string& file, const std::string& name, FeatureUse use,
     const geo::LocalFrame& frame)>;
+
+/// Features that have been read, by file, name, use and origin of the frame.
+using FeatureMemory =
+    std::map<std::tuple<std::string, std::string, FeatureUse, double, double, double>,
+             Result<std::vector<Vec2>>>;
+
+/// A reader that reads each feature once; `memory` is its own.
+FeatureReader remembering(FeatureReader reader, std::shared_ptr<FeatureMemory> memory);
 
 /// Places that people have, besides local metres: latitude and longitude, or features of
 /// map files.

@@ -66,6 +66,19 @@ ReadOutcome read_scenario(const std::filesystem::path& path, const KindTable& ki
   return outcome_of(std::move(reading), scenario);
 }
 
+OpenedDocument open_scenario(const std::filesystem::path& path) {
+  OpenedDocument file = open_document(path, scenario_document());
+  keep_parsed(file, scenario_document());
+  return file;
+}
+
+ReadOutcome read_scenario(const OpenedDocument& file, const KindTable& kinds,
+                          std::span<const Override> overrides, const LoadPlugin& load) {
+  Scenario scenario;
+  Reading reading = read_document(file, document_with(load), kinds, overrides, &scenario);
+  return outcome_of(std::move(reading), scenario);
+}
+
 ReadOutcome read_scenario_text(std::string_view text, const std::string& name,
                                const std::filesystem::path& folder,
                                const KindTable& kinds,

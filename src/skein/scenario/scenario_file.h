@@ -34,6 +34,16 @@ ReadOutcome read_scenario(const std::filesystem::path& path, const KindTable& ki
                           std::span<const Override> overrides = {},
                           const LoadPlugin& load = {});
 
+/// A scenario file that is read once, with the map files that it names, and used again
+/// and again with other overrides.
+OpenedDocument open_scenario(const std::filesystem::path& path);
+
+/// As read_scenario() of the file at the time at which it was opened. By one thread at a
+/// time.
+ReadOutcome read_scenario(const OpenedDocument& file, const KindTable& kinds,
+                          std::span<const Override> overrides = {},
+                          const LoadPlugin& load = {});
+
 /// The same of a text, for callers that have one.
 ///
 /// @param name    what messages call it.

@@ -23,7 +23,7 @@ std::vector<TeamScript> reference_scripts() {
 
 TEST(TeamRehearsal, RulesGiveTheTeamsOfTheReferenceScripts) {
   const auto scripts = reference_scripts();
-  if (scripts.empty()) GTEST_SKIP() << "the reference data are not there";
+  if (scripts.empty()) GTEST_SKIP() << "without ../shared/data/team/protocol";
   for (const TeamScript& script : scripts) {
     const auto expected = expected_teams(script);
     for (const TeamExpectation& reference : script.expect) {
@@ -37,7 +37,7 @@ TEST(TeamRehearsal, RulesGiveTheTeamsOfTheReferenceScripts) {
 
 TEST(TeamRehearsal, EndsInTheTeamsOfTheReferenceScripts) {
   const auto scripts = reference_scripts();
-  if (scripts.empty()) GTEST_SKIP() << "the reference data are not there";
+  if (scripts.empty()) GTEST_SKIP() << "without ../shared/data/team/protocol";
   for (const TeamScript& script : scripts) {
     const auto result = rehearse(script, {}, {});
     EXPECT_EQ(result.met, result.expectations) << result.first_missed;
@@ -49,7 +49,7 @@ TEST(TeamRehearsal, EndsInTheTeamsOfTheReferenceScripts) {
 
 TEST(TeamRehearsal, EndsThereWithThreeInTenMessagesLost) {
   const auto scripts = reference_scripts();
-  if (scripts.empty()) GTEST_SKIP() << "the reference data are not there";
+  if (scripts.empty()) GTEST_SKIP() << "without ../shared/data/team/protocol";
   TeamRehearsalOptions options;
   options.medium.loss = 0.3;
   for (const TeamScript& script : scripts) {

@@ -3,10 +3,13 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <thread>
@@ -83,6 +86,73 @@ TEST_F(OutputFile, WritesIntoAPipe) {
   reader.join();
   EXPECT_EQ(read, "through");
   EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+// Signals this thread again and again until `done`: one alone could come before it waits.
+void disturb(pthread_t thread, const std::atomic<bool>& done) {
+  while (!done) {
+    pthread_kill(thread, SIGUSR1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+TEST_F(OutputFile, ASignalEndsTheWaitForAReader) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  // As a program does: a call that waits is begun again by the system.
+  std::signal(SIGUSR1, [](int) {});
+  std::atomic<bool> done{false};
+  std::thread signals(disturb, pthread_self(), std::cref(done));
+  const auto unread = write_file(pipe, std::string_view("text"));
+  const auto stream = OutputStream::open(pipe);
+  // One who reads nothing: the pipe gets full.
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  const auto full = write_file(pipe, std::string(1 << 20, 'x'));
+  done = true;
+  signals.join();
+  std::signal(SIGUSR1, SIG_DFL);
+  ::close(reader);
+  for (const Error& error : {unread.error(), stream.error(), full.error()}) {
+    EXPECT_EQ(error.code, ErrorCode::kInterrupted) << error.text();
+    EXPECT_EQ(error.place, pipe.string());
+  }
+}
+
+TEST_F(OutputFile, AppendsToWhatIsThere) {
+  const fs::path file = folder_ / "journal";
+  for (const char* text : {"one ", "two"}) {
+    auto stream = OutputStream::append(file);
+    ASSERT_TRUE(stream);
+    stream.value().write(text);
+    EXPECT_TRUE(stream.value().flush());
+  }
+  EXPECT_EQ(content(file), "one two");
+  EXPECT_FALSE(OutputStream::append(folder_));
+}
+
+TEST_F(OutputFile, AProgramGetsADescriptorThatWaits) {
+  const fs::path file = folder_ / "log", pipe = folder_ / "pipe";
+  std::ofstream(file) << "of a run before";
+  fs::create_symlink("log", folder_ / "link");
+  const auto regular = open_for_program(folder_ / "link");
+  ASSERT_TRUE(regular);
+  EXPECT_EQ(content(file), "");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  ::close(regular.value());
+
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto unread = open_for_program(pipe);
+  ASSERT_FALSE(unread) << "it would wait for a reader";
+  EXPECT_NE(unread.error().text().find("nobody reads"), std::string::npos);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  const auto read = open_for_program(pipe);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(::fcntl(read.value(), F_GETFL) & O_NONBLOCK, 0);
+  EXPECT_NE(::fcntl(read.value(), F_GETFD) & FD_CLOEXEC, 0);
+  ::close(read.value());
+  ::close(reader);
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_FALSE(open_for_program(folder_ / "none" / "log"));
 }
 
 TEST_F(OutputFile, WritesWhatALinkNamesAndLeavesTheLink) {

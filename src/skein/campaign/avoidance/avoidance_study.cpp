@@ -158,20 +158,23 @@ Separation separation_of(const AvoidanceStudy& study, const AvoidanceCase& flown
 }
 
 Result<StudyPlan> plan_avoidance_study(const AvoidanceStudy& study,
-                                       const scenario::KindTable& kinds) {
+                                       const ScenarioReader& reader) {
   if (auto error = refuse(study)) return *error;
+  const scenario::KindTable& kinds = reader.kinds();
   StudyPlan plan;
   DataFingerprint data;
   plan.cells.push_back({"all", study.method, study.plant, {}});
   for (const AvoidanceCase& each : study.cases) {
+    if (auto going = reader.go_on(); !going) return going.error();
     auto read =
         scenario::read_scenario_text(scenario_of(study, each), each.name, ".", kinds);
     if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
     scenario::Scenario run = *std::move(read.scenario);
     std::string text = scenario::write_scenario(run, kinds);
-    const std::string files = data.of(scenario::named_files(run, kinds));
+    const auto files = data.of(scenario::named_files(run, kinds));
+    if (!files) return files.error();
     plan.cells.front().items.push_back(plan.items.size());
-    plan.items.push_back({each.name, std::move(run), std::move(text), files});
+    plan.items.push_back({each.name, std::move(run), std::move(text), files.value()});
   }
   return plan;
 }

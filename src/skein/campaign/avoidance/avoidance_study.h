@@ -8,6 +8,7 @@
 
 #include "skein/base/result.h"
 #include "skein/campaign/avoidance/avoidance_cases.h"
+#include "skein/campaign/batch/scenario_reader.h"
 #include "skein/campaign/monitoring/monitoring_study.h"
 #include "skein/data/traffic/separation.h"
 #include "skein/geo/vec.h"
@@ -37,7 +38,7 @@ struct AvoidanceStudy {
 /// Fails: kBadInput for a method, plant or tracks that do not exist, or wind as strong as
 /// an airspeed.
 Result<StudyPlan> plan_avoidance_study(const AvoidanceStudy& study,
-                                       const scenario::KindTable& kinds);
+                                       const ScenarioReader& reader);
 
 /// The time that a flight from start to goal takes with nobody in the way [s].
 double undisturbed_time(const AvoidanceAircraft& aircraft, const Vec2& wind);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <istream>
 #include <map>
 #include <mutex>
@@ -14,7 +13,9 @@
 #include <thread>
 
 #include "skein/base/hash.h"
+#include "skein/base/input_file.h"
 #include "skein/base/log.h"
+#include "skein/base/output_file.h"
 
 namespace skein::campaign {
 namespace {
@@ -73,7 +74,9 @@ Result<Journal> read_journal(const std::filesystem::path& file) {
     return Error{ErrorCode::kBadInput, file.string(), "is no regular file.",
                  "Choose another folder."};
   auto& found = journal.found;
-  std::ifstream in(file, std::ios::binary);
+  auto opened = open_input(file);
+  if (!opened) return opened.error();
+  std::istream& in = opened.value();
   bool last_was_good = true;
   for (std::string text; next_line(in, text);) {
     journal.damaged += last_was_good ? 0 : 1;
@@ -152,11 +155,14 @@ Result<std::vector<BatchOutcome>> run_batch(std::span<const BatchItem> items,
       open.push_back(i);
   }
 
-  std::ofstream journal(options.journal, std::ios::app);
+  auto opened = OutputStream::append(options.journal);
+  if (!opened) return opened.error();
+  OutputStream& journal = opened.value();
   // What comes now is no part of a line that was cut off.
-  if (!journal_read.value().ends_with_line) journal << '\n';
-  bool journal_good = journal.good();
-  std::mutex mutex;  // guards the journal, the progress and `done`
+  if (!journal_read.value().ends_with_line) journal.write("\n");
+  Result<void> written = journal.flush();
+  std::atomic<bool> lost{!written};  // there is no use in runs whose results are lost
+  std::mutex mutex;                  // guards the journal, the progress and `done`
   std::atomic<std::size_t> next{0};
   std::size_t done = items.size() - open.size();
   if (options.progress) options.progress(done, items.size());
@@ -164,14 +170,17 @@ Result<std::vector<BatchOutcome>> run_batch(std::span<const BatchItem> items,
   const auto work = [&] {
     for (;;) {
       const std::size_t k = next++;
-      if (k >= open.size() || (options.stop && *options.stop)) return;
+      if (k >= open.size() || lost || (options.stop && *options.stop)) return;
       const std::size_t i = open[k];
       BatchOutcome outcome = run_one(items[i], run);
       log_outcome(items[i].name, outcome);
       const std::lock_guard lock(mutex);
       if (outcome.summary) {
-        journal << to_line(items[i], prints[i], *outcome.summary) << std::endl;
-        journal_good = journal_good && journal.good();
+        journal.write(to_line(items[i], prints[i], *outcome.summary) + "\n");
+        if (auto put = journal.flush(); !put) {
+          written = put;
+          lost = true;
+        }
       }
       outcomes[i] = std::move(outcome);
       ++done;
@@ -183,9 +192,7 @@ Result<std::vector<BatchOutcome>> run_batch(std::span<const BatchItem> items,
   work();
   for (std::thread& worker : workers) worker.join();
 
-  if (!journal_good)
-    return Error{ErrorCode::kUnavailable, options.journal.string(), "cannot be written.",
-                 "Is the folder writable, the disk full?"};
+  if (!written) return written.error();
   return outcomes;
 }
 

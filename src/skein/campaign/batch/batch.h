@@ -50,7 +50,8 @@ struct BatchOptions {
 ///
 /// @returns one outcome per item, in the order of the items; items that were not reached
 ///          because of `stop` have neither summary nor error.
-/// Fails:   kUnavailable when the journal cannot be written.
+/// Fails:   kUnavailable when the journal cannot be read or written, at once;
+///          kBadInput when it is no regular file.
 Result<std::vector<BatchOutcome>> run_batch(std::span<const BatchItem> items,
                                             const RunScenario& run,
                                             const BatchOptions& options);

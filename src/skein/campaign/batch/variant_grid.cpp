@@ -45,17 +45,19 @@ Result<StudyPlan> plan_grid(VariantGrid grid, const ScenarioReader& reader) {
                                  &estimator.overrides, &std::as_const(grid.overrides)})
           for (const std::string& text : *list) overrides.push_back({text});
         auto read = reader.read(grid.base, overrides);
-        if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
-        const std::string files =
-            data.of(scenario::named_files(*read.scenario, reader.kinds()));
+        if (!read) return read.error();
+        const auto files = data.of(scenario::named_files(read.value(), reader.kinds()));
+        if (!files) return files.error();
         for (int k = 0; k < grid.seeds; ++k) {
-          scenario::Scenario run = *read.scenario;
+          if (auto going = reader.go_on(); !going) return going.error();
+          scenario::Scenario run = read.value();
           run.seed = static_cast<std::uint64_t>(grid.first_seed + k);
           run.name = fmt::format("{}/{}/{}/{}", each.name, strategy.name, estimator.name,
                                  run.seed);
           cell.items.push_back(plan.items.size());
           std::string text = scenario::write_scenario(run, reader.kinds());
-          plan.items.push_back({run.name, std::move(run), std::move(text), files});
+          plan.items.push_back(
+              {run.name, std::move(run), std::move(text), files.value()});
         }
         plan.cells.push_back(std::move(cell));
       }

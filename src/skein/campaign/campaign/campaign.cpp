@@ -202,17 +202,19 @@ Result<StudyPlan> plan_campaign(const CampaignFile& file, const CampaignOptions&
       for (const std::string& text : options.overrides) overrides.push_back({text});
       auto read = reader.read(file.scenario, overrides);
       const std::string path = cell.path();
-      if (!read.ok())
+      if (!read && read.error().code == ErrorCode::kInterrupted) return read.error();
+      if (!read)
         return Error{ErrorCode::kBadInput,
                      fmt::format("campaign {}, variants {}, seed {}", file.name,
                                  path.empty() ? "none" : path, seed),
-                     "\n" + read.report(), ""};
-      scenario::Scenario run = *std::move(read.scenario);
+                     "\n" + read.error().text(), ""};
+      scenario::Scenario run = std::move(read).value();
       run.name = fmt::format("{}{}{}", path, path.empty() ? "" : "/", seed);
       std::string text = scenario::write_scenario(run, reader.kinds());
-      const std::string files = data.of(scenario::named_files(run, reader.kinds()));
+      const auto files = data.of(scenario::named_files(run, reader.kinds()));
+      if (!files) return files.error();
       cell.items.push_back(plan.items.size());
-      plan.items.push_back({run.name, std::move(run), std::move(text), files});
+      plan.items.push_back({run.name, std::move(run), std::move(text), files.value()});
     }
     plan.cells.push_back(std::move(cell));
   }

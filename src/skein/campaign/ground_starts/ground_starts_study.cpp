@@ -117,16 +117,17 @@ Result<StudyPlan> plan_ground_starts_study(const GroundStartsStudy& study,
     std::vector<scenario::Override> overrides = overrides_of(d, aircraft, seed);
     for (const std::string& text : study.overrides) overrides.push_back({text});
     auto read = reader.read(study.base, overrides);
-    if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
-    scenario::Scenario run = *std::move(read.scenario);
+    if (!read) return read.error();
+    scenario::Scenario run = std::move(read).value();
     run.name =
         fmt::format("{}/{}/{}/{:.1f}/{}", aircraft.name, kStartTurbulence[d.turbulence],
                     kStands[d.stand], d.wind, seed);
     plan.cells[cells.at({d.aircraft, d.turbulence, d.stand})].items.push_back(
         plan.items.size());
     std::string text = scenario::write_scenario(run, reader.kinds());
-    const std::string files = data.of(scenario::named_files(run, reader.kinds()));
-    plan.items.push_back({run.name, std::move(run), std::move(text), files});
+    const auto files = data.of(scenario::named_files(run, reader.kinds()));
+    if (!files) return files.error();
+    plan.items.push_back({run.name, std::move(run), std::move(text), files.value()});
   }
   return plan;
 }

@@ -60,12 +60,13 @@ Result<BatchItem> make_item(const KeepingStudy& study, const ScenarioReader& rea
   overrides.push_back({fmt::format("seed={}", seed)});
   for (const std::string& text : study.overrides) overrides.push_back({text});
   auto read = reader.read(study.base, overrides);
-  if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
-  scenario::Scenario run = *std::move(read.scenario);
+  if (!read) return read.error();
+  scenario::Scenario run = std::move(read).value();
   run.name = name + std::to_string(seed);
   std::string text = scenario::write_scenario(run, reader.kinds());
-  const std::string files = data.of(scenario::named_files(run, reader.kinds()));
-  return BatchItem{run.name, std::move(run), std::move(text), files};
+  const auto files = data.of(scenario::named_files(run, reader.kinds()));
+  if (!files) return files.error();
+  return BatchItem{run.name, std::move(run), std::move(text), files.value()};
 }
 
 constexpr std::array kFigures = {

@@ -79,8 +79,7 @@ Result<StudyPlan> plan_monitoring_study(const MonitoringStudy& study,
   // Libraries that the scenario names may have estimators too.
   std::vector<scenario::Override> changes;
   for (const std::string& text : study.overrides) changes.push_back({text});
-  if (auto read = reader.read(study.base, changes); !read.ok())
-    return Error{ErrorCode::kBadInput, "", read.report(), ""};
+  if (auto read = reader.read(study.base, changes); !read) return read.error();
   std::vector<Variant> estimators;
   for (const std::string& name : reader.kinds().names("estimator"))
     estimators.push_back({name, "", {"missions[0].estimator=" + name}});

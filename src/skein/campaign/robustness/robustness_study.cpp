@@ -98,16 +98,17 @@ Result<StudyPlan> plan_robustness_study(const RobustnessStudy& study,
     overrides.push_back({fmt::format("seed={}", seed)});
     for (const std::string& text : study.overrides) overrides.push_back({text});
     auto read = reader.read(study.base, overrides);
-    if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
-    scenario::Scenario run = *std::move(read.scenario);
+    if (!read) return read.error();
+    scenario::Scenario run = std::move(read).value();
     const std::size_t cell =
         (which * kTurbulence.size() + rough) * 2 + (wind < kMaxWindSpeed / 2 ? 0 : 1);
     run.name =
         fmt::format("{}/{}/{:.1f}/{}", names[which], kTurbulence[rough], wind, seed);
     plan.cells[cell].items.push_back(plan.items.size());
     std::string text = scenario::write_scenario(run, reader.kinds());
-    const std::string files = data.of(scenario::named_files(run, reader.kinds()));
-    plan.items.push_back({run.name, std::move(run), std::move(text), files});
+    const auto files = data.of(scenario::named_files(run, reader.kinds()));
+    if (!files) return files.error();
+    plan.items.push_back({run.name, std::move(run), std::move(text), files.value()});
   }
   return plan;
 }

@@ -2,6 +2,7 @@
 #include "skein/campaign/batch/batch.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -115,6 +116,22 @@ TEST_F(BatchTest, StopsWhenAsked) {
 TEST_F(BatchTest, SaysWhenTheJournalCannotBeWritten) {
   options_.journal = folder_ / "no" / "such" / "folder.jsonl";
   EXPECT_FALSE(run_batch(items_, runner(), options_).ok());
+  EXPECT_EQ(runs_, 0) << "results would be lost";
+}
+
+TEST_F(BatchTest, TheJournalMayBeALinkAndNothingElseThanAFile) {
+  std::ofstream(folder_ / "kept.jsonl");
+  std::filesystem::create_symlink("kept.jsonl", options_.journal);
+  ASSERT_TRUE(run_batch(items_, runner(), options_).ok());
+  EXPECT_TRUE(std::filesystem::is_symlink(options_.journal));
+  EXPECT_GT(std::filesystem::file_size(folder_ / "kept.jsonl"), 1000U);
+  ASSERT_TRUE(run_batch(items_, runner(), options_).ok());
+  EXPECT_EQ(runs_, 20);
+  options_.journal = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(options_.journal.c_str(), 0600), 0);
+  const auto refused = run_batch(items_, runner(), options_);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().place, options_.journal.string());
 }
 
 TEST(MeanInterval, MatchesStudentsT) {

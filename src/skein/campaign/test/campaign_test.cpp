@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 
@@ -70,6 +71,32 @@ BatchOutcome outcome(double perf) {
   record::RunSummary summary;
   summary.numbers = {{"perf", perf}};
   return {summary, ""};
+}
+
+TEST_F(CampaignTest, ReadsItsScenarioOnceHoweverManyRunsThereAre) {
+  const auto file = read(kTwoAxes);
+  ASSERT_TRUE(file) << file.error().text();
+  const ScenarioReader reader(kinds_);
+  const auto first = plan_campaign(file.value(), {}, reader);
+  ASSERT_TRUE(first) << first.error().text();
+  // What is written meanwhile does not make two kinds of runs in one campaign.
+  std::ofstream(folder_ / "base.yaml") << "nonsense: 1\n";
+  const auto again = plan_campaign(file.value(), {}, reader);
+  ASSERT_TRUE(again) << again.error().text();
+  ASSERT_EQ(again.value().items.size(), first.value().items.size());
+  for (std::size_t k = 0; k < first.value().items.size(); ++k)
+    EXPECT_EQ(again.value().items[k].text, first.value().items[k].text);
+  EXPECT_FALSE(plan_campaign(file.value(), {}, kinds_)) << "another reader reads anew";
+}
+
+TEST_F(CampaignTest, PreparingItStopsWhenAsked) {
+  const auto file = read(kTwoAxes);
+  ASSERT_TRUE(file) << file.error().text();
+  const std::atomic<bool> stop{true};
+  const auto plan =
+      plan_campaign(file.value(), {}, ScenarioReader(kinds_, {}, {}, &stop));
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().code, ErrorCode::kInterrupted);
 }
 
 TEST(CampaignReport, HasARowForEachCombinationWithItsWorstRun) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -100,7 +101,7 @@ TEST(DataFingerprint, ChangesWithTheContentOnly) {
   put("list.csv", "time,file\n1,ring.geojson\n");
   put("ring.geojson", "{}");
   const auto of = [&](const std::filesystem::path& path) {
-    return DataFingerprint().of({path.string()});
+    return DataFingerprint().of({path.string()}).value();
   };
   const std::string wind = of(folder / "wind.csv"), list = of(folder / "list.csv"),
                     all = of(folder);
@@ -112,7 +113,29 @@ TEST(DataFingerprint, ChangesWithTheContentOnly) {
   EXPECT_NE(of(folder), all);
   put("wind.csv", "t_s\n2\n");
   EXPECT_NE(of(folder / "wind.csv"), wind);
-  EXPECT_EQ(DataFingerprint().of({}), "");
+  EXPECT_EQ(DataFingerprint().of({}).value(), "");
+  std::filesystem::remove_all(folder);
+}
+
+TEST(DataFingerprint, NamesWhatCannotBeRead) {
+  std::string pattern = (std::filesystem::temp_directory_path() / "data-XXXXXX").string();
+  const std::filesystem::path folder = mkdtemp(pattern.data());
+  std::filesystem::create_directory(folder / "deep");
+  const auto refused = [&](const char* name, const std::filesystem::path& what) {
+    const auto of = DataFingerprint().of({(folder / name).string()});
+    ASSERT_FALSE(of.ok()) << name;
+    EXPECT_EQ(of.error().place, what.string()) << of.error().text();
+  };
+  refused("none.csv", folder / "none.csv");
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  refused("pipe", folder / "pipe");
+  // Opens, and every read fails, for root too.
+  std::filesystem::create_symlink("/proc/self/mem", folder / "deep" / "bad.geojson");
+  std::ofstream(folder / "list.csv") << "time,file\n1.5,deep/bad.geojson\n";
+  std::ofstream(folder / "deep" / "bad.shp") << "x";
+  refused("list.csv", folder / "deep" / "bad.geojson");
+  refused("deep/bad.shp", folder / "deep" / "bad.geojson");
+  refused("deep", folder / "deep" / "bad.geojson");
   std::filesystem::remove_all(folder);
 }
 

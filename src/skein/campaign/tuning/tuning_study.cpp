@@ -27,13 +27,15 @@ Result<BatchItem> flight_of(const TuningStudy& study, const std::string& name, i
   std::vector<scenario::Override> overrides;
   for (const std::string& text : changes) overrides.push_back({text});
   auto read = reader.read(study.base, overrides);
-  if (!read.ok()) return Error{ErrorCode::kBadInput, "", read.report(), ""};
+  if (!read) return read.error();
   BatchItem item;
-  item.scenario = std::move(*read.scenario);
+  item.scenario = std::move(read).value();
   item.scenario.seed = static_cast<std::uint64_t>(seed);
   item.scenario.name = item.name = fmt::format("{}/{}", name, seed);
   item.text = scenario::write_scenario(item.scenario, reader.kinds());
-  item.data = data.of(scenario::named_files(item.scenario, reader.kinds()));
+  auto files = data.of(scenario::named_files(item.scenario, reader.kinds()));
+  if (!files) return files.error();
+  item.data = std::move(files).value();
   return item;
 }
 

@@ -54,7 +54,7 @@ TEST(DetectionTables, TimelinesEndWhenAskedTo) {
 
 TEST(DetectionTables, TimelinesAreThoseOfTheReferenceDataLineByLine) {
   const std::string theirs = reference_file("suas_timeline.csv");
-  if (theirs.empty()) GTEST_SKIP() << "no reference data";
+  if (theirs.empty()) GTEST_SKIP() << "without ../shared/data/team/detect";
   const auto configuration = *model::well_clear_configuration("skein_suas");
   const auto encounters = read_encounters(reference_file("suas_encounters.csv"),
                                           "suas_encounters.csv", configuration);

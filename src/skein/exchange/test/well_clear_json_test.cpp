@@ -27,7 +27,7 @@ void expect_refused(const Json& json, const std::string& part) {
 
 TEST(WellClearJson, BuiltInConfigurationsAreThoseOfTheReferenceData) {
   std::ifstream in(SKEIN_SHARED_DATA "/team/detect/configurations.json");
-  if (!in) GTEST_SKIP() << "no reference data";
+  if (!in) GTEST_SKIP() << "without ../shared/data/team/detect";
   for (const Json& each : Json::parse(in)) {
     const auto read = well_clear_configuration_from_json(each.dump(), "reference");
     ASSERT_TRUE(read.ok()) << read.error().text();

@@ -18,6 +18,8 @@
 #include <string_view>
 #include <utility>
 
+#include "skein/base/input_file.h"
+#include "skein/base/output_file.h"
 #include "skein/base/shown_text.h"
 
 namespace skein::process {
@@ -182,9 +184,9 @@ Result<ChildProcess> ChildProcess::start(const Program& program) {
   const auto file = file_of(name);
   if (!file) return file.error();
   const File input(::open("/dev/null", O_RDONLY | O_CLOEXEC));
-  const File log(::open(program.log.c_str(),
-                        O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0644));
-  if (log.fd() < 0) return failed(ErrorCode::kUnavailable, program.log.string(), errno);
+  const auto opened = open_for_program(program.log);
+  if (!opened) return opened.error();
+  const File log(opened.value());
   int ends[2];
   if (input.fd() < 0 || ::pipe2(ends, O_CLOEXEC) != 0)
     return failed(ErrorCode::kUnavailable, name, errno);
@@ -264,8 +266,12 @@ void ChildProcess::stop(Clock::time_point now) {
 }
 
 std::vector<std::string> ChildProcess::last_lines(std::size_t count) const {
-  std::ifstream log(log_, std::ios::binary | std::ios::ate);
-  if (!log) return {};
+  std::error_code none;
+  if (!fs::is_regular_file(log_, none)) return {};  // a pipe is somebody else's to read
+  auto opened = open_input(log_);
+  if (!opened) return {};
+  std::ifstream& log = opened.value();
+  log.seekg(0, std::ios::end);
   const std::streamoff begin = std::max<std::streamoff>(log.tellg() - kMaxTail, 0);
   std::string text(static_cast<std::size_t>(kMaxTail), '\0');
   log.seekg(begin);

@@ -20,7 +20,7 @@ struct Program {
   /// relative path begins in this program's folder, not in `folder`.
   std::vector<std::string> arguments;
   std::filesystem::path folder;          ///< that it works in; empty: this program's
-  std::filesystem::path log;             ///< gets its output and errors; replaced
+  std::filesystem::path log;             ///< gets its output and errors; begins empty
   std::vector<std::string> environment;  ///< NAME=value, on top of this program's
 };
 
@@ -64,7 +64,8 @@ class ChildProcess {
   /// Asks it and its group to end (SIGTERM); the first call counts.
   void stop(Clock::time_point now);
 
-  /// Of its log: at most so many, and no more than 16 KiB. Fit for a terminal.
+  /// Of its log: at most so many, and no more than 16 KiB; none of a pipe or a device.
+  /// Fit for a terminal.
   std::vector<std::string> last_lines(std::size_t count) const;
 
   pid_t id() const { return process_; }

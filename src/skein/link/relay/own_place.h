@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "skein/base/loopback.h"
 #include "skein/base/result.h"
 
 namespace skein::relay {
@@ -16,7 +17,7 @@ template <class Address>
 Result<void> check_not_itself(const Address& here, const Address& there) {
   const bool same_host =
       here.address() == there.address() ||
-      (here.address().is_unspecified() && there.address().is_loopback());
+      (here.address().is_unspecified() && is_loopback(there.address().to_string()));
   if (here.port() != there.port() || !same_host) return {};
   return Error{ErrorCode::kBadInput,
                fmt::format("{}:{}", there.address().to_string(), there.port()),

@@ -6,6 +6,7 @@
 #include <boost/asio/ip/udp.hpp>
 #include <map>
 
+#include "skein/base/loopback.h"
 #include "skein/link/relay/core_relay.h"
 #include "skein/link/relay/lane.h"
 #include "skein/link/relay/own_place.h"
@@ -25,7 +26,7 @@ using Buffer = std::array<std::byte, 65'536>;
 
 boost::system::error_code open_socket(udp::socket& socket, const udp::endpoint& at) {
   boost::system::error_code error, smaller;
-  socket.open(udp::v4(), error);
+  socket.open(at.protocol(), error);
   if (!error) socket.bind(at, error);
   if (!error) socket.non_blocking(true, error);
   socket.set_option(boost::asio::socket_base::receive_buffer_size(kReceiveBuffer),
@@ -51,10 +52,10 @@ class UdpSession final : public Session, public std::enable_shared_from_this<Udp
   }
 
   boost::system::error_code open(const udp::endpoint& target) {
-    const bool local = target.address().is_loopback();
+    const bool local = is_loopback(target.address().to_string());
     boost::system::error_code error =
         open_socket(socket_, local ? udp::endpoint(target.address(), 0)
-                                   : udp::endpoint(udp::v4(), 0));
+                                   : udp::endpoint(target.protocol(), 0));
     // Connected: whether nobody is there is heard.
     if (!error) socket_.connect(target, error);
     return error;

@@ -9,6 +9,8 @@
 #include <optional>
 #include <system_error>
 
+#include "skein/base/loopback.h"
+
 namespace skein::transport {
 namespace {
 
@@ -46,6 +48,9 @@ Result<NetworkPlace> parse_place(std::string_view whole, std::string_view text,
     return bad(whole, "a host and a port are wanted");
   }
   if (place.host.empty()) return bad(whole, "the host is empty");
+  const bool in_brackets = place.host.front() == '[' && place.host.back() == ']';
+  if (place.host.find(':') != std::string::npos && !in_brackets)
+    return bad(whole, "an IPv6 address is wanted in brackets, as in [::1]:14550");
   const auto port = number<std::uint16_t>(text);
   if (!port || (*port == 0 && !listens))
     return bad(whole,
@@ -83,6 +88,8 @@ Result<EndpointAddress> parse_multicast(std::string_view whole, std::string_view
     multicast.interface = text.substr(last + 1);
     text = text.substr(0, last);
     if (multicast.interface.empty()) return bad(whole, "the interface is empty");
+    if (multicast.interface.ends_with(']'))
+      return bad(whole, "the interface is wanted by its IPv4 address");
   }
   auto group = parse_place(whole, text, false);
   if (!group) return group.error();
@@ -164,12 +171,6 @@ std::optional<EndpointAddress> counterpart(const EndpointAddress& address) {
 }
 
 namespace {
-
-bool is_loopback(const std::string& host) {
-  return host == "localhost" ||
-         (host.starts_with("127.") &&
-          host.find_first_not_of("0123456789.") == std::string::npos);
-}
 
 struct IsLocal {
   bool operator()(const UdpServer& a) const { return is_loopback(a.at.host); }

@@ -20,7 +20,8 @@
 ///   tcp:HOST:PORT          connects, again and again
 ///   serial:DEVICE[:BAUD]   a serial line or pseudo-terminal; 57600 without a rate
 ///
-/// Without a host, only programs of the same machine are let in: 127.0.0.1.
+/// Without a host, only programs of the same machine are let in: 127.0.0.1. An IPv6
+/// address stands in brackets: `udpout:[::1]:14550`; `[::]` is reached by IPv4 as well.
 namespace skein::transport {
 
 struct NetworkPlace {
@@ -64,8 +65,8 @@ EndpointAddress moved(const EndpointAddress& address, int ports);
 /// The text that parse_endpoint() reads as this address.
 std::string text_of(const EndpointAddress& address);
 
-/// Whether only programs of this machine can be met there: loopback addresses and
-/// pseudo-terminals.
+/// Whether only programs of this machine can be met there: loopback addresses (as
+/// is_loopback() has them) and pseudo-terminals.
 bool is_local(const EndpointAddress& address);
 
 /// The other end of the line, for another program of the same machine: a client for a

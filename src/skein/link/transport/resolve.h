@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/address.hpp>
 #include <boost/system/error_code.hpp>
 #include <string>
 
@@ -20,13 +21,19 @@ inline Error bad_place(const NetworkPlace& place,
           error.message() + ".", ""};
 }
 
-/// The first address of a place.
+/// The first IPv4 address of a place, or the IPv6 one in its brackets.
 /// @tparam Protocol  Asio's tcp or udp.
 /// Fails: kBadInput for a host without one.
 template <class Protocol>
 Result<typename Protocol::endpoint> resolve(boost::asio::io_context& io,
                                             const NetworkPlace& place) {
   boost::system::error_code error;
+  if (place.host.starts_with('[')) {
+    const auto address = boost::asio::ip::make_address_v6(
+        place.host.substr(1, place.host.find(']') - 1), error);
+    if (error) return bad_place(place, error);
+    return typename Protocol::endpoint(address, place.port);
+  }
   typename Protocol::resolver resolver(io);
   const auto found =
       resolver.resolve(Protocol::v4(), place.host, std::to_string(place.port), error);
@@ -34,9 +41,11 @@ Result<typename Protocol::endpoint> resolve(boost::asio::io_context& io,
   return found.begin()->endpoint();
 }
 
-/// HOST:PORT of an address.
+/// HOST:PORT of an address, as parse_endpoint() reads it.
 template <class Address>
 std::string name_of(const Address& at) {
+  if (at.address().is_v6())
+    return fmt::format("[{}]:{}", at.address().to_string(), at.port());
   return fmt::format("{}:{}", at.address().to_string(), at.port());
 }
 

@@ -42,7 +42,7 @@ class Listener final : public Opener {
 
   boost::system::error_code open(const tcp::endpoint& at) {
     boost::system::error_code error;
-    acceptor_.open(tcp::v4(), error);
+    acceptor_.open(at.protocol(), error);
     if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
     if (!error) acceptor_.bind(at, error);
     if (!error) acceptor_.listen(boost::asio::socket_base::max_listen_connections, error);

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <map>
 
+#include "skein/base/loopback.h"
 #include "skein/link/transport/resolve.h"
 
 namespace skein::transport {
@@ -31,7 +32,7 @@ class Datagrams : public Endpoint {
 
   boost::system::error_code open(const udp::endpoint& at) {
     boost::system::error_code error;
-    socket_.open(udp::v4(), error);
+    socket_.open(at.protocol(), error);
     if (!error) socket_.bind(at, error);
     if (!error) socket_.non_blocking(true, error);
     // Bursts of many vehicles; systems that allow less give what they can.
@@ -181,10 +182,10 @@ Result<std::unique_ptr<Endpoint>> open_client(Hub& hub, const Address& address,
   if (!to) return to.error();
   auto client = std::make_unique<Client>(hub, to.value());
   // Who talks to this machine is heard by this machine alone.
+  const bool local = is_loopback(to.value().address().to_string());
   boost::system::error_code error =
-      client->open(to.value().address().is_loopback()
-                       ? udp::endpoint(boost::asio::ip::address_v4::loopback(), 0)
-                       : udp::endpoint(udp::v4(), 0));
+      client->open(local ? udp::endpoint(to.value().address(), 0)
+                         : udp::endpoint(to.value().protocol(), 0));
   if (!error && broadcast) error = client->allow_broadcast();
   if (error) return bad_place(address.to, error);
   client->begin(text_of(address));

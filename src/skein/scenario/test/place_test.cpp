@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "skein/scenario/scenario_file.h"
 #include "skein/scenario/test/fake_kinds.h"
 
@@ -40,6 +43,39 @@ TEST(Places, AreLocalMetresOrLatitudeAndLongitudeFromTheOriginOfTheFile) {
   EXPECT_NEAR(objects[0].position.x(), 1112, 2);  // a hundredth of a degree
   EXPECT_NEAR(objects[0].position.y(), 1434, 3);
   EXPECT_EQ(objects[1].position, Vec2(30, 40));
+}
+
+TEST(Places, OfAnOpenedScenarioAreReadOnceForEachOrigin) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "places_test";
+  std::filesystem::create_directories(folder);
+  const auto file = folder / "s.yaml";
+  std::ofstream(folder / "map.geojson") << "{}";
+  std::ofstream(file) << kOrigin
+                      << "environment: {objects: [{position_m: {feature: tower, file: "
+                         "map.geojson}}]}\n";
+  KindTable kinds = test::fake_kinds();
+  int calls = 0;
+  kinds.set_feature_reader([&](const std::string& map, const std::string& name,
+                               FeatureUse use, const geo::LocalFrame& frame) {
+    ++calls;
+    return fake_features(map, name, use, frame);
+  });
+  const OpenedDocument opened = open_scenario(file);
+  std::ofstream(file) << "nonsense: 1\n";
+  const auto north_of = [&](const std::string& change) {
+    const Override one[] = {{change}};
+    const auto outcome = read_scenario(opened, kinds, one);
+    EXPECT_TRUE(outcome.ok()) << outcome.report();
+    return outcome.ok() ? outcome.scenario->environment.objects[0].position.x() : 0;
+  };
+  for (const char* change : {"seed=1", "seed=2", "duration_s=7"})
+    EXPECT_NEAR(north_of(change), 111.2, 0.2);
+  EXPECT_EQ(calls, 1);
+  EXPECT_NEAR(north_of("origin.latitude_deg=50.001"), 0, 1e-6);
+  EXPECT_EQ(calls, 2);
+  EXPECT_NE(open_scenario(folder / "none.yaml").failure, "");
+  EXPECT_FALSE(read_scenario(open_scenario(folder / "none.yaml"), kinds).ok());
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Places, AreNamedFeaturesOfMapFiles) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "skein/base/loopback.h"
 #include "skein/base/shown_text.h"
 #include "skein/base/valid_text.h"
 
@@ -142,11 +143,7 @@ std::string_view name_in_host(std::string_view host) {
 }
 
 bool names_this_machine(std::string_view host) {
-  const std::string_view name = name_in_host(host);
-  if (host.starts_with('[')) return name == "::1";
-  if (is_same_name(name, "localhost")) return true;
-  return name.starts_with("127.") &&
-         name.find_first_not_of("0123456789.") == std::string_view::npos;
+  return is_loopback(name_in_host(host));
 }
 
 bool is_address(std::string_view host) {

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <boost/asio/ip/address.hpp>
 
+#include "skein/base/loopback.h"
+
 namespace skein::hmi {
 
 std::string address_group(std::string_view address) {
+  if (is_loopback(address)) return "loopback";
   boost::system::error_code failure;
   const auto parsed = boost::asio::ip::make_address(std::string(address), failure);
   if (failure || parsed.is_v4()) return std::string(address);
@@ -16,7 +19,7 @@ std::string address_group(std::string_view address) {
   if (v6.is_v4_mapped())
     return boost::asio::ip::make_address_v4(boost::asio::ip::v4_mapped, v6).to_string();
   auto bytes = v6.to_bytes();
-  if (!v6.is_loopback()) std::fill(bytes.begin() + 8, bytes.end(), std::uint8_t{0});
+  std::fill(bytes.begin() + 8, bytes.end(), std::uint8_t{0});
   return boost::asio::ip::address_v6(bytes).to_string();
 }
 

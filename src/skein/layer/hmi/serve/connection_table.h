@@ -12,7 +12,8 @@ namespace skein::hmi {
 
 /// Where a connection comes from, as far as connections and wrong logins are counted
 /// together: an IPv4 address, also where it is written as IPv6 ("::ffff:10.0.0.7"); the
-/// first 64 bits of an IPv6 address, which is what one household or machine has.
+/// first 64 bits of an IPv6 address, which is what one household or machine has; all
+/// addresses of this machine's loopback as one.
 /// @param address  as text; anything else is its own group.
 std::string address_group(std::string_view address);
 

@@ -24,6 +24,7 @@
 #include <thread>
 
 #include "skein/base/log.h"
+#include "skein/base/loopback.h"
 #include "skein/layer/hmi/serve/login_guard.h"
 #include "skein/layer/hmi/serve/web_session.h"
 
@@ -256,7 +257,7 @@ Result<void> WebServer::Impl::listen() {
     return Error{ErrorCode::kBadInput, limits.address,
                  "it is no address: 127.0.0.1, ::1, 0.0.0.0 or one of this machine's.",
                  ""};
-  if (!address.is_loopback() && limits.access.is_open())
+  if (!is_loopback(limits.address) && limits.access.is_open())
     return Error{ErrorCode::kBadInput, limits.address,
                  "other machines reach it: whoever may see and steer the run needs a "
                  "token.",

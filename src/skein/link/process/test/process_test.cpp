@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -69,6 +70,23 @@ TEST_F(ChildProcesses, SayHowTheyEndedAndWhatTheyWroteLast) {
   EXPECT_EQ(child.look(Clock::now()).text(), "ended with 3");
   EXPECT_EQ(child.last_lines(2), (std::vector<std::string>{"line 3", "bad"}));
   EXPECT_EQ(child.last_lines(99).size(), 4U);
+}
+
+TEST_F(ChildProcesses, MayLogIntoAPipeWhichIsNeverWaitedFor) {
+  auto logged = shell("echo through");
+  logged.log = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(logged.log.c_str(), 0600), 0);
+  const auto unread = ChildProcess::start(logged);
+  ASSERT_FALSE(unread) << "nobody reads it";
+  EXPECT_EQ(unread.error().place, logged.log.string());
+  const int reader = ::open(logged.log.c_str(), O_RDONLY | O_NONBLOCK);
+  auto child = started(logged);
+  ASSERT_TRUE(wait_for_end(child));
+  EXPECT_TRUE(child.last_lines(9).empty()) << "its lines are the reader's";
+  char text[20] = {};
+  EXPECT_EQ(::read(reader, text, sizeof text), 8);
+  EXPECT_STREQ(text, "through\n");
+  ::close(reader);
 }
 
 TEST_F(ChildProcesses, WorkInTheirFolderWithTheirVariables) {

@@ -41,6 +41,9 @@ TEST(EndpointAddress, SaysWhatIsWrong) {
                                    {"udpmulti:10.0.0.1:5", "\"10.0.0.1\" is no address"},
                                    {"udpmulti:239.1.1.1", "a host and a port"},
                                    {"udpmulti:239.1.1.1:5:", "the interface is empty"},
+                                   {"udpmulti:239.1.1.1:5:[::1]", "IPv4 address"},
+                                   {"udpout:::1:5", "in brackets"},
+                                   {"tcp:[::1:5", "in brackets"},
                                    {"serial:", "a device is wanted"},
                                    {"serial:/dev/ttyS0:fast", "\"fast\" is no rate"}}) {
     const auto address = parse_endpoint(text);
@@ -57,14 +60,21 @@ TEST(EndpointAddress, IsLocalOnLoopbackAddressesAndPseudoTerminals) {
   };
   for (const char* text :
        {"udpin:14550", "udpin:127.0.0.1:14550", "udpout:127.0.0.1:14550",
-        "udpout:localhost:14550", "tcpin:5760", "tcp:127.1.2.3:5760"})
+        "udpout:localhost:14550", "tcpin:5760", "tcp:127.1.2.3:5760", "udpin:[::1]:14550",
+        "udpout:[::1]:14550", "tcp:[::ffff:127.0.0.1]:5760",
+        "udpmulti:239.1.1.1:14550:127.0.0.2"})
     EXPECT_TRUE(local(text)) << text;
   for (const char* text :
        {"udpin:0.0.0.0:14550", "udpout:10.0.0.2:14550", "tcpin:0.0.0.0:5760",
-        "tcp:autopilot:5760", "udpbcast:10.0.0.255:14550", "serial:/dev/ttyS99"})
+        "tcp:autopilot:5760", "udpbcast:10.0.0.255:14550", "serial:/dev/ttyS99",
+        "udpin:[::]:14550", "tcp:[fe80::1]:5760", "udpout:[::ffff:10.0.0.2]:14550",
+        "udpmulti:239.1.1.1:14550:10.0.0.2"})
     EXPECT_FALSE(local(text)) << text;
   // As servers name their peers.
   EXPECT_TRUE(is_local_channel("udpin:0.0.0.0:14550 from 127.0.0.1:40000"));
+  EXPECT_TRUE(is_local_channel("udpin:[::]:14550 from [::1]:40000"));
+  EXPECT_TRUE(is_local_channel("udpin:[::]:14550 from [::ffff:127.0.0.1]:40000"));
+  EXPECT_FALSE(is_local_channel("udpin:[::1]:1 from [::ffff:10.0.0.2]:40000"));
   EXPECT_FALSE(is_local_channel("udpin:0.0.0.0:14550 from 10.0.0.2:40000"));
   EXPECT_FALSE(is_local_channel("tcpin:127.0.0.1:1 from 10.127.0.1:127"));
   EXPECT_FALSE(is_local_channel("no endpoint"));

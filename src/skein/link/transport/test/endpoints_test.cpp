@@ -68,6 +68,32 @@ struct Side final : ChannelListener {
   std::unique_ptr<Endpoints> endpoints = std::make_unique<Endpoints>(*this);
 };
 
+TEST(Endpoints, MeetByIPv6AndByIPv4WhereBothAreHeard) {
+  Side probe;
+  if (!probe.endpoints->open(parse_endpoint("udpin:[::1]:0").value()))
+    GTEST_SKIP() << "this machine has no IPv6";
+  for (const char* kind : {"udp", "tcp"}) {
+    const bool udp = kind == std::string("udp");
+    Side server, six, four, mapped;
+    server.open(udp ? "udpin:[::]:0" : "tcpin:[::]:0");
+    const std::string at = server.endpoints->places().at(0);
+    const std::string port = at.substr(at.rfind(':'));
+    const std::string client = udp ? "udpout:" : "tcp:";
+    six.open(client + "[::1]" + port);
+    four.open(client + "127.0.0.1" + port);
+    mapped.open(client + "[::ffff:127.0.0.1]" + port);
+    std::size_t met = 0;
+    for (Side* side : {&six, &four, &mapped}) {
+      ASSERT_TRUE(side->wait([&] { return !side->names.empty(); }, &server));
+      side->send_all("x");
+      ++met;
+      ASSERT_TRUE(server.wait([&] { return server.heard.size() == met; }, side)) << at;
+    }
+    for (const auto& [channel, name] : server.names)
+      EXPECT_TRUE(is_local_channel(name)) << name;
+  }
+}
+
 TEST(Endpoints, AnswerEachSenderOfDatagrams) {
   Side server, a, b;
   server.open("udpin:0");

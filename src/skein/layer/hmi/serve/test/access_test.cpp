@@ -73,10 +73,12 @@ TEST(Access, PagesOfOtherServersAreTold) {
 
 TEST(Access, NamesThatLeadHereFromElsewhereAreTold) {
   for (const char* here :
-       {"localhost", "localhost:8080", "127.0.0.1:80", "[::1]:8080", "[::1]"})
+       {"localhost", "localhost:8080", "127.0.0.1:80", "[::1]:8080", "[::1]", "127.3.2.1",
+        "[::ffff:127.0.0.1]:8080", "[::ffff:7f00:1]"})
     EXPECT_TRUE(names_this_machine(here)) << here;
-  for (const char* elsewhere : {"", "evil.example:8080", "127.0.0.1.evil.example",
-                                "localhost.evil.example", "[::2]", "[::1", "10.0.0.1"})
+  for (const char* elsewhere :
+       {"", "evil.example:8080", "127.0.0.1.evil.example", "localhost.evil.example",
+        "[::2]", "[::1", "10.0.0.1", "[::ffff:10.0.0.1]"})
     EXPECT_FALSE(names_this_machine(elsewhere)) << elsewhere;
 }
 
