@@ -198,8 +198,8 @@ Command add_description(CLI::App& program, const char* name, const char* help,
       "leave "
       "behind";
   if (std::string_view(name) == "keys") {
-    documents.emplace_back("tasks");
-    which += "; tasks: how orders are written";
+    documents.insert(documents.end(), {"tasks", "events"});
+    which += "; tasks: how orders are written; events: kinds of events";
   } else {
     documents.emplace_back("wire");
     which += "; wire: how the live feed is coded";

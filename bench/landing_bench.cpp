@@ -35,7 +35,7 @@ class Touches final : public Recorder {
   void record(const Record& record) override {
     if (const auto* truth = std::get_if<TruthRecord>(&record)) take(*truth);
     if (const auto* event = std::get_if<Event>(&record))
-      if (event->kind == "accident") all[event->entity.value].broke = true;
+      if (event->kind == EventKind::kAccident) all[event->entity.value].broke = true;
   }
 
   std::map<std::uint32_t, One> all;

@@ -15,6 +15,7 @@
 #include "skein/assemble/world/verify_kinds.h"
 #include "skein/base/check.h"
 #include "skein/data/team/task_text.h"
+#include "skein/record/store/event_text.h"
 #include "skein/record/store/record_text.h"
 #include "skein/record/store/wire_table_text.h"
 #include "skein/scenario/markdown.h"
@@ -154,6 +155,10 @@ int schema_command(const std::string& document, const std::vector<std::string>& 
 int keys_command(const std::string& document, const std::vector<std::string>& plugins) {
   if (document == "records") {
     print("{}", record::records_markdown());
+    return kDone;
+  }
+  if (document == "events") {
+    print("{}", record::events_markdown());
     return kDone;
   }
   if (document == "tasks") {

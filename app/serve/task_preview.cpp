@@ -157,12 +157,14 @@ class PreviewRecorder final : public Recorder {
   }
 
   void take(const Event& event) {
-    if (event.kind == "task-done") {
+    if (event.kind == EventKind::kTaskDone) {
       preview_.done = true;
-    } else if (event.kind == "task-refused" || event.kind == "task-impossible" ||
-               event.kind == "accident" || event.kind == "command-refused" ||
-               event.kind == "no-path") {
-      preview_.problem = event.text.empty() ? event.kind : event.text;
+    } else if (event.kind == EventKind::kTaskRefused ||
+               event.kind == EventKind::kTaskImpossible ||
+               event.kind == EventKind::kAccident ||
+               event.kind == EventKind::kCommandRefused ||
+               event.kind == EventKind::kNoPath) {
+      preview_.problem = event.text.empty() ? std::string(event.kind.name()) : event.text;
     } else {
       return;
     }

@@ -70,6 +70,8 @@ TEST_F(Program, TheDocumentationOfKeysIsUpToDate) {
   EXPECT_EQ(run({"keys", "records"}).out,
             read_file(SKEIN_SOURCE_DIR "/docs/record-tables.md"))
       << "Renew it: build/release/skein keys records > docs/record-tables.md";
+  EXPECT_EQ(run({"keys", "events"}).out, read_file(SKEIN_SOURCE_DIR "/docs/events.md"))
+      << "Renew it: build/release/skein keys events > docs/events.md";
   EXPECT_EQ(run({"keys", "tasks"}).out, read_file(SKEIN_SOURCE_DIR "/docs/task-kinds.md"))
       << "Renew it: build/release/skein keys tasks > docs/task-kinds.md";
   EXPECT_EQ(run({"schema", "records"}).out,

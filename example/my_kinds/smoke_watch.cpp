@@ -36,7 +36,7 @@ void SmokeWatch::step(const skein::AgentInput& in, skein::AgentOutput& out) {
     if (!payload || payload->kind != kSmokeNote) continue;
     // Bytes that came over a radio may be anything.
     if (const auto received = skein::from_coded<SmokeNote>(payload->coded))
-      out.events.push_back({in.now, self_, "smoke-note",
+      out.events.push_back({in.now, self_, skein::EventLabel::named("smoke-note"),
                             received.value().inside ? "the other one sees fire"
                                                     : "the other one sees none"});
   }

@@ -793,8 +793,13 @@ export interface Perimeter {
 export interface Event {
   time_s: number; // when
   entity_id: number; // to whom it happened
-  kind: string; // short and stable, for scripts
+  kind: string; // short and stable: docs/events.md
   text: string; // for people
+  other_id: number | null; // whom else it concerns
+  task: number | null; // number of a task that was ordered
+  team_task: number | null; // number of a task of a team
+  value: number | null; // as the kind has it
+  threshold: number | null; // that the value is compared with
 }
 
 /** A no-fly zone put into force or taken back. */
@@ -1309,7 +1314,7 @@ export interface ActuatorOutputs {
 
 /** Something happened to an outside autopilot or its program. */
 export interface OutsideEvent {
-  event: string; // as events have it
+  event: string; // short and stable: docs/events.md
   text: string; // for people
 }
 
@@ -1707,3 +1712,179 @@ export interface TaskPreview {
   charge: number | null; // that it takes, from 0 to 1
   charge_left: number | null; // after it, from 0 to 1
 }
+
+/** What is said of a kind of event. */
+export interface EventKind {
+  subject: "flight" | "guidance" | "task" | "mission" | "zone" | "fire" | "team" | "protocol" | "traffic" | "radio" | "vehicle" | "program" | "memory" | "plugin";
+  severity: "information" | "notice" | "warning" | "alarm";
+  audience: "operator" | "pilot" | "researcher" | "integrator";
+  announced: boolean; // whoever commands is shown it at once
+  meaning: string;
+}
+
+/** All kinds of event, by name: docs/events.md. Those of plugins are not among them. */
+export const eventKinds = {
+  "joined": { subject: "flight", severity: "information", audience: "operator", announced: false, meaning: "It takes part in the run from now on." },
+  "left": { subject: "flight", severity: "notice", audience: "operator", announced: false, meaning: "It no longer takes part." },
+  "took-off": { subject: "flight", severity: "information", audience: "operator", announced: false, meaning: "It has left the ground." },
+  "landed": { subject: "flight", severity: "information", audience: "operator", announced: false, meaning: "It stands on the ground." },
+  "accident": { subject: "flight", severity: "alarm", audience: "operator", announced: false, meaning: "It has hit the ground, or its motion stopped being finite; it is lost." },
+  "mode": { subject: "flight", severity: "information", audience: "pilot", announced: false, meaning: "Its autopilot has changed its mode by itself or by an order." },
+  "failsafe": { subject: "flight", severity: "warning", audience: "operator", announced: false, meaning: "A failsafe has another trigger or reaction now, or is over." },
+  "refused": { subject: "flight", severity: "warning", audience: "pilot", announced: false, meaning: "Its autopilot has refused a command." },
+  "failure": { subject: "flight", severity: "warning", audience: "operator", announced: false, meaning: "A part has failed, as the scenario or an instructor has it." },
+  "repaired": { subject: "flight", severity: "notice", audience: "operator", announced: false, meaning: "A part that had failed works again." },
+  "sensor-lost": { subject: "flight", severity: "warning", audience: "pilot", announced: false, meaning: "Its autopilot misses a flight sensor." },
+  "sensor-back": { subject: "flight", severity: "notice", audience: "pilot", announced: false, meaning: "A flight sensor that was missed is there again." },
+  "sensor-switched": { subject: "flight", severity: "notice", audience: "pilot", announced: false, meaning: "Its autopilot flies by another unit of a flight sensor." },
+  "planned": { subject: "guidance", severity: "information", audience: "researcher", announced: false, meaning: "A path, or a whole survey, has been planned." },
+  "no-plan": { subject: "guidance", severity: "warning", audience: "operator", announced: false, meaning: "Nothing can be planned for what was requested." },
+  "no-path": { subject: "guidance", severity: "warning", audience: "operator", announced: false, meaning: "No path leads to where it is to fly." },
+  "point-left-out": { subject: "guidance", severity: "notice", audience: "operator", announced: false, meaning: "A point of its route lies in a no-fly zone and is left out." },
+  "off-plan": { subject: "guidance", severity: "notice", audience: "researcher", announced: false, meaning: "It is far behind, ahead of or beside its plan." },
+  "on-plan": { subject: "guidance", severity: "information", audience: "researcher", announced: false, meaning: "It is close to its plan again." },
+  "flight-changed": { subject: "guidance", severity: "information", audience: "operator", announced: false, meaning: "It flies at the height or speed that the operator has given." },
+  "flight-refused": { subject: "guidance", severity: "warning", audience: "operator", announced: false, meaning: "It refuses a height or speed that the operator has given." },
+  "landing-wait": { subject: "guidance", severity: "information", audience: "operator", announced: false, meaning: "It circles until it is its turn to land." },
+  "landing-turn": { subject: "guidance", severity: "information", audience: "operator", announced: false, meaning: "It is its turn to land." },
+  "return-moved": { subject: "guidance", severity: "notice", audience: "operator", announced: false, meaning: "Returns lead to another place, because of a no-fly zone, or home again." },
+  "setpoints-ended": { subject: "guidance", severity: "notice", audience: "integrator", announced: false, meaning: "Setpoints from a ground station have ended; it holds its place." },
+  "ordered": { subject: "task", severity: "information", audience: "operator", announced: false, meaning: "A station orders a task, a change of one, a height or a speed." },
+  "task": { subject: "task", severity: "information", audience: "operator", announced: false, meaning: "It begins a task." },
+  "task-refused": { subject: "task", severity: "warning", audience: "operator", announced: false, meaning: "It refuses a task that it was given." },
+  "task-paused": { subject: "task", severity: "information", audience: "operator", announced: false, meaning: "Its task waits for the operator." },
+  "task-resumed": { subject: "task", severity: "information", audience: "operator", announced: false, meaning: "Its task goes on." },
+  "task-cancelled": { subject: "task", severity: "notice", audience: "operator", announced: false, meaning: "Its task is cancelled." },
+  "task-impossible": { subject: "task", severity: "warning", audience: "operator", announced: false, meaning: "Its task cannot be flown any more." },
+  "task-done": { subject: "task", severity: "information", audience: "operator", announced: false, meaning: "Its task is done." },
+  "task-moved": { subject: "task", severity: "notice", audience: "operator", announced: false, meaning: "The place of its task is moved out of a no-fly zone, or back." },
+  "task-over": { subject: "task", severity: "information", audience: "operator", announced: false, meaning: "A task of the mission's list is over." },
+  "task-given-up": { subject: "task", severity: "warning", audience: "operator", announced: false, meaning: "A task of the mission's list is given up: nobody can fly it." },
+  "route-done": { subject: "task", severity: "information", audience: "operator", announced: false, meaning: "The last point of a route or tour has been passed." },
+  "late": { subject: "task", severity: "warning", audience: "operator", announced: false, meaning: "It cannot be at its rendezvous in time." },
+  "arrived": { subject: "task", severity: "information", audience: "operator", announced: false, meaning: "It is at its rendezvous." },
+  "measured": { subject: "task", severity: "information", audience: "researcher", announced: false, meaning: "A measurement at a place is complete." },
+  "edge-lost": { subject: "task", severity: "notice", audience: "researcher", announced: false, meaning: "It has lost the edge of the fire that it follows." },
+  "edge-found": { subject: "task", severity: "information", audience: "researcher", announced: false, meaning: "It has found the edge of the fire again." },
+  "survey-incomplete": { subject: "task", severity: "warning", audience: "operator", announced: false, meaning: "Parts of a survey could not be flown." },
+  "mission": { subject: "mission", severity: "information", audience: "operator", announced: false, meaning: "A mission begins, is paused, goes on or is over." },
+  "command-refused": { subject: "mission", severity: "warning", audience: "operator", announced: false, meaning: "A command cannot be obeyed." },
+  "allocated": { subject: "mission", severity: "information", audience: "operator", announced: false, meaning: "An aircraft is given to a mission, or to none." },
+  "surveyed": { subject: "mission", severity: "information", audience: "operator", announced: false, meaning: "Nothing is left of a survey that its aircraft can fly." },
+  "shared": { subject: "mission", severity: "information", audience: "researcher", announced: false, meaning: "The lines of a survey are divided among its aircraft." },
+  "object-found": { subject: "mission", severity: "information", audience: "operator", announced: false, meaning: "A mission has found an object to be tracked." },
+  "object-lost": { subject: "mission", severity: "warning", audience: "operator", announced: false, meaning: "An object that was tracked has not been seen for long." },
+  "leader": { subject: "mission", severity: "notice", audience: "operator", announced: false, meaning: "It leads the formation from now on." },
+  "leader-lost": { subject: "mission", severity: "warning", audience: "operator", announced: false, meaning: "The leader of a formation is silent, or under another command." },
+  "zone": { subject: "zone", severity: "notice", audience: "operator", announced: false, meaning: "It is inside a no-fly zone, has left it, or turns away from one." },
+  "zone-on": { subject: "zone", severity: "information", audience: "operator", announced: false, meaning: "A no-fly zone is in force: of a station, or as an aircraft has received it." },
+  "zone-off": { subject: "zone", severity: "information", audience: "operator", announced: false, meaning: "A no-fly zone is taken back." },
+  "zone-refused": { subject: "zone", severity: "warning", audience: "operator", announced: false, meaning: "A zone that was drawn cannot be put into force." },
+  "zones-known": { subject: "zone", severity: "information", audience: "operator", announced: false, meaning: "All aircraft in contact have acknowledged the zones." },
+  "crossing": { subject: "fire", severity: "information", audience: "researcher", announced: false, meaning: "An aircraft has crossed the boundary." },
+  "no-crossing": { subject: "fire", severity: "notice", audience: "researcher", announced: false, meaning: "The deployment of an aircraft met no boundary." },
+  "forced-crossing": { subject: "fire", severity: "notice", audience: "researcher", announced: false, meaning: "An aircraft is sent across the boundary, which it has not crossed for long." },
+  "entry": { subject: "fire", severity: "information", audience: "researcher", announced: false, meaning: "The place from which an aircraft enters is chosen." },
+  "allocation": { subject: "fire", severity: "information", audience: "researcher", announced: false, meaning: "The deployment is over: the strategy allocates." },
+  "silent": { subject: "fire", severity: "warning", audience: "operator", announced: false, meaning: "No report of an aircraft has come for a while." },
+  "outlier": { subject: "fire", severity: "notice", audience: "researcher", announced: false, meaning: "Observations were all but impossible under the belief." },
+  "too-late": { subject: "fire", severity: "notice", audience: "researcher", announced: false, meaning: "Readings came too late to count." },
+  "over-confident": { subject: "fire", severity: "warning", audience: "operator", announced: false, meaning: "Crossings lie outside the believed band far too often." },
+  "trusted": { subject: "fire", severity: "information", audience: "operator", announced: false, meaning: "Crossings lie inside the believed band again." },
+  "hand-over": { subject: "fire", severity: "notice", audience: "researcher", announced: false, meaning: "Another method makes the belief from now on." },
+  "team-selected": { subject: "team", severity: "notice", audience: "operator", announced: false, meaning: "It leads the team from now on." },
+  "team-following": { subject: "team", severity: "information", audience: "operator", announced: false, meaning: "It follows another member." },
+  "team-master-lost": { subject: "team", severity: "warning", audience: "operator", announced: false, meaning: "Who leads has been silent for too long." },
+  "team-joined": { subject: "team", severity: "information", audience: "operator", announced: false, meaning: "A member follows it." },
+  "team-follower-lost": { subject: "team", severity: "warning", audience: "operator", announced: false, meaning: "A member follows it no longer." },
+  "team-merged": { subject: "team", severity: "notice", audience: "operator", announced: false, meaning: "Two teams have become one." },
+  "team-split": { subject: "team", severity: "notice", audience: "operator", announced: false, meaning: "A team splits its mission with another." },
+  "team-took-back": { subject: "team", severity: "notice", audience: "operator", announced: false, meaning: "It takes over tasks of a branch that is lost." },
+  "team-gave-back": { subject: "team", severity: "notice", audience: "operator", announced: false, meaning: "It gives back the tasks of a branch that is there again." },
+  "team-handover": { subject: "team", severity: "information", audience: "operator", announced: false, meaning: "Another member shall lead." },
+  "team-rejected": { subject: "team", severity: "notice", audience: "operator", announced: false, meaning: "No team has use for it." },
+  "team-order-unanswered": { subject: "team", severity: "warning", audience: "integrator", announced: false, meaning: "A member has not acknowledged its order." },
+  "team-order-expired": { subject: "team", severity: "notice", audience: "integrator", announced: false, meaning: "Who leads now has given no order; the old one is dropped." },
+  "team-order-superseded": { subject: "team", severity: "notice", audience: "integrator", announced: false, meaning: "A newer order gives its task to another member." },
+  "team-task-twice": { subject: "team", severity: "warning", audience: "operator", announced: false, meaning: "Another member executes the same task." },
+  "team-task-yielded": { subject: "team", severity: "notice", audience: "operator", announced: false, meaning: "It drops a task that another member executes." },
+  "team-proposed": { subject: "team", severity: "information", audience: "operator", announced: false, meaning: "It proposes an allocation to the station of the operator." },
+  "allocation-proposed": { subject: "team", severity: "notice", audience: "operator", announced: true, meaning: "An allocation of a team waits for approval." },
+  "allocation-over": { subject: "team", severity: "notice", audience: "operator", announced: true, meaning: "An allocation that waited is approved, rejected or withdrawn." },
+  "team-task": { subject: "team", severity: "information", audience: "operator", announced: false, meaning: "It flies a task of its team." },
+  "team-task-over": { subject: "team", severity: "information", audience: "operator", announced: false, meaning: "It flies the task of its team no longer." },
+  "team-task-added": { subject: "team", severity: "information", audience: "operator", announced: false, meaning: "A task is added to those of a team." },
+  "team-task-withdrawn": { subject: "team", severity: "notice", audience: "operator", announced: false, meaning: "A task of a team is withdrawn." },
+  "team-own-id": { subject: "protocol", severity: "warning", audience: "integrator", announced: false, meaning: "Somebody sends in its own name." },
+  "team-duplicate-id": { subject: "protocol", severity: "warning", audience: "integrator", announced: false, meaning: "Two members have one id; the first counts." },
+  "team-other-version": { subject: "protocol", severity: "warning", audience: "integrator", announced: false, meaning: "A member speaks another version of the protocol." },
+  "team-unknown-sender": { subject: "protocol", severity: "warning", audience: "integrator", announced: false, meaning: "Somebody unknown sends." },
+  "team-implausible": { subject: "protocol", severity: "warning", audience: "integrator", announced: false, meaning: "A message makes no sense." },
+  "team-order-refused": { subject: "protocol", severity: "warning", audience: "integrator", announced: false, meaning: "An order comes from somebody who does not lead." },
+  "team-answer-refused": { subject: "protocol", severity: "warning", audience: "integrator", announced: false, meaning: "An answer comes to nothing that was asked." },
+  "traffic-alert": { subject: "traffic", severity: "warning", audience: "pilot", announced: true, meaning: "An alert about another aircraft rises." },
+  "clear-of-traffic": { subject: "traffic", severity: "information", audience: "pilot", announced: true, meaning: "The last alert about another aircraft is over." },
+  "recommended": { subject: "traffic", severity: "notice", audience: "pilot", announced: true, meaning: "A path is recommended to the pilot." },
+  "separation-lost": { subject: "traffic", severity: "warning", audience: "operator", announced: true, meaning: "Two aircraft are nearer to each other than is required; announced where one of both keeps apart." },
+  "separation-restored": { subject: "traffic", severity: "notice", audience: "operator", announced: false, meaning: "Two aircraft are as far from each other again as is required." },
+  "separation-not-restored": { subject: "traffic", severity: "warning", audience: "operator", announced: false, meaning: "A loss of separation lasts until the end of the run, or of one of both." },
+  "neighbour-found": { subject: "radio", severity: "information", audience: "integrator", announced: false, meaning: "It receives another node." },
+  "neighbour-lost": { subject: "radio", severity: "notice", audience: "integrator", announced: false, meaning: "It has not received another node for long." },
+  "message-refused": { subject: "radio", severity: "warning", audience: "operator", announced: false, meaning: "It refuses a message that is not authentic." },
+  "message-doubted": { subject: "radio", severity: "warning", audience: "operator", announced: false, meaning: "It accepts a message that is not authentic." },
+  "attack-begins": { subject: "radio", severity: "warning", audience: "operator", announced: false, meaning: "An attacker of the radio begins." },
+  "attack-ends": { subject: "radio", severity: "notice", audience: "operator", announced: false, meaning: "An attacker of the radio ends." },
+  "modem-clash": { subject: "radio", severity: "warning", audience: "integrator", announced: false, meaning: "Another modem has the same address." },
+  "modem-refused": { subject: "radio", severity: "warning", audience: "integrator", announced: false, meaning: "A modem refuses a datagram without a valid seal." },
+  "modem-doubted": { subject: "radio", severity: "warning", audience: "integrator", announced: false, meaning: "A modem accepts a datagram without a valid seal." },
+  "modem-closed": { subject: "radio", severity: "warning", audience: "integrator", announced: false, meaning: "The line to a modem cannot be opened, or is lost." },
+  "modem-open": { subject: "radio", severity: "information", audience: "integrator", announced: false, meaning: "The line to a modem is open again." },
+  "link-up": { subject: "vehicle", severity: "information", audience: "operator", announced: false, meaning: "The link to a vehicle or an agent in another program is up." },
+  "link-lost": { subject: "vehicle", severity: "warning", audience: "operator", announced: false, meaning: "The link to a vehicle or an agent in another program is down." },
+  "vehicle-identified": { subject: "vehicle", severity: "information", audience: "integrator", announced: false, meaning: "A vehicle has said what it is." },
+  "vehicle-says": { subject: "vehicle", severity: "warning", audience: "operator", announced: false, meaning: "A vehicle has reported an error in words of its own." },
+  "vehicle-rebooted": { subject: "vehicle", severity: "warning", audience: "operator", announced: false, meaning: "A vehicle has started anew." },
+  "wrong-vehicle": { subject: "vehicle", severity: "alarm", audience: "operator", announced: true, meaning: "A vehicle is not what the scenario says." },
+  "wrong-place": { subject: "vehicle", severity: "alarm", audience: "operator", announced: true, meaning: "A vehicle is not where it is to start; it is not commanded." },
+  "not-heard": { subject: "vehicle", severity: "warning", audience: "operator", announced: true, meaning: "Nothing is received of a vehicle." },
+  "duplicate-vehicle": { subject: "vehicle", severity: "alarm", audience: "operator", announced: false, meaning: "Two vehicles answer by one system id." },
+  "clock-set": { subject: "vehicle", severity: "information", audience: "integrator", announced: false, meaning: "The clock of a vehicle was set ahead." },
+  "other-clock": { subject: "vehicle", severity: "notice", audience: "integrator", announced: false, meaning: "A vehicle answers by another clock than its telemetry's." },
+  "take-off-denied": { subject: "vehicle", severity: "warning", audience: "operator", announced: true, meaning: "A vehicle does not take off, or is not brought back." },
+  "request-denied": { subject: "vehicle", severity: "warning", audience: "operator", announced: false, meaning: "A vehicle denies a request." },
+  "not-commandable": { subject: "vehicle", severity: "alarm", audience: "operator", announced: true, meaning: "A vehicle flies and cannot be commanded; it is sent back." },
+  "not-brought-back": { subject: "vehicle", severity: "alarm", audience: "operator", announced: true, meaning: "A vehicle that cannot be commanded takes no order to return." },
+  "pilot-took-over": { subject: "vehicle", severity: "notice", audience: "operator", announced: false, meaning: "A safety pilot flies a vehicle." },
+  "mode-changed": { subject: "vehicle", severity: "notice", audience: "operator", announced: false, meaning: "A vehicle is in a mode in which it is left alone." },
+  "handed-back": { subject: "vehicle", severity: "notice", audience: "operator", announced: false, meaning: "A vehicle may be commanded again." },
+  "position-old": { subject: "vehicle", severity: "warning", audience: "operator", announced: false, meaning: "The last position of a vehicle is too old to command it by." },
+  "position-lost": { subject: "vehicle", severity: "warning", audience: "operator", announced: false, meaning: "A vehicle has no position by satellites any more." },
+  "position-jumped": { subject: "vehicle", severity: "warning", audience: "operator", announced: false, meaning: "The position of a vehicle has jumped." },
+  "position-back": { subject: "vehicle", severity: "notice", audience: "operator", announced: false, meaning: "The position of a vehicle is good again." },
+  "fence-uploaded": { subject: "vehicle", severity: "information", audience: "operator", announced: false, meaning: "A vehicle has taken the no-fly zones as its fence." },
+  "fence-refused": { subject: "vehicle", severity: "warning", audience: "operator", announced: false, meaning: "A vehicle has not taken the no-fly zones as its fence." },
+  "autopilot-heard": { subject: "program", severity: "information", audience: "integrator", announced: false, meaning: "An outside autopilot answers." },
+  "autopilot-silent": { subject: "program", severity: "warning", audience: "operator", announced: false, meaning: "An outside autopilot answers no more." },
+  "autopilot-back": { subject: "program", severity: "notice", audience: "operator", announced: false, meaning: "An outside autopilot answers again." },
+  "autopilot-ended": { subject: "program", severity: "warning", audience: "operator", announced: false, meaning: "The program of an outside autopilot has ended." },
+  "autopilot-restarted": { subject: "program", severity: "notice", audience: "operator", announced: false, meaning: "The program of an outside autopilot was started again." },
+  "flight-model-heard": { subject: "program", severity: "information", audience: "integrator", announced: false, meaning: "An outside flight model sends motion." },
+  "flight-model-silent": { subject: "program", severity: "warning", audience: "operator", announced: false, meaning: "An outside flight model sends no motion." },
+  "flight-model-back": { subject: "program", severity: "notice", audience: "operator", announced: false, meaning: "An outside flight model sends motion again." },
+  "flight-model-reset": { subject: "program", severity: "notice", audience: "operator", announced: false, meaning: "An outside flight model begins anew." },
+  "flight-model-ended": { subject: "program", severity: "warning", audience: "operator", announced: false, meaning: "The program of an outside flight model has ended." },
+  "flight-model-restarted": { subject: "program", severity: "notice", audience: "operator", announced: false, meaning: "The program of an outside flight model was started again." },
+  "agent-restarted": { subject: "program", severity: "warning", audience: "operator", announced: false, meaning: "The agent of an entity in another program has started anew." },
+  "wrong-agent": { subject: "program", severity: "warning", audience: "operator", announced: false, meaning: "An agent in another program is of another run or entity." },
+  "duplicate-agent": { subject: "program", severity: "warning", audience: "operator", announced: false, meaning: "Two agents say that they are one entity." },
+  "world-joined": { subject: "program", severity: "information", audience: "integrator", announced: false, meaning: "An agent in a program of its own has joined the world." },
+  "world-lost": { subject: "program", severity: "warning", audience: "operator", announced: false, meaning: "An agent in a program of its own does not receive the world." },
+  "world-back": { subject: "program", severity: "notice", audience: "operator", announced: false, meaning: "An agent in a program of its own receives the world again." },
+  "world-restarted": { subject: "program", severity: "warning", audience: "operator", announced: false, meaning: "The world of an agent has started anew." },
+  "world-refused": { subject: "program", severity: "warning", audience: "operator", announced: false, meaning: "The world refuses an agent." },
+  "update-refused": { subject: "memory", severity: "notice", audience: "researcher", announced: false, meaning: "A virtual sensor saw a remembered object, which does not refresh the memory." },
+  "unknown-object-interaction": { subject: "memory", severity: "warning", audience: "researcher", announced: false, meaning: "A virtual aircraft was in or near an object of which nobody knew." },
+  "forgotten": { subject: "memory", severity: "notice", audience: "researcher", announced: false, meaning: "An object is forgotten: too old, or not where it was remembered." },
+  "non-actual-observation": { subject: "memory", severity: "warning", audience: "researcher", announced: false, meaning: "Somebody relied on an object that was no longer where it was remembered." },
+  "plugin": { subject: "plugin", severity: "information", audience: "integrator", announced: false, meaning: "An event of a plugin's own, or of another version of Skein, with its own name." },
+} satisfies Record<string, EventKind>;

@@ -363,6 +363,7 @@ export const T = {
     side: (degrees: number, left: boolean) => `${degrees}° ${left ? "left" : "right"}`,
     refused: (what: string, why: string) => `${what} was refused${why ? `: ${why}` : ""}`,
     lost: "Connection to the server lost",
+    event: (name: string, text: string) => `${name}: ${text}`,
     proposal: (n: number) => `Proposal ${n} waits for approval`,
     low: (name: string, left: string) => `${name}: battery ${left}`,
     clock: "The run misses deadlines",

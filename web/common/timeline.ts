@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /** Events along the time of the run, and in a replay the slider that moves through it. */
 import { clock, h } from "./dom";
+import { eventLook } from "./events";
 import { onThemeChange, theme } from "./theme";
 import { T } from "./texts";
 import { iconButton } from "./ui";
@@ -8,13 +9,6 @@ import type { RunView } from "./view";
 import type { KeptEvent } from "./world";
 
 const kHigh = 54; // [px]
-
-/** How an event looks: shape and row besides colour. */
-function look(kind: string): { row: number; shape: "dot" | "triangle" | "square" } {
-  if (/fail|fault|lost|refused|conflict|crash|battery|alert/.test(kind)) return { row: 0, shape: "triangle" };
-  if (/zone|mission|allocation|command|team/.test(kind)) return { row: 1, shape: "square" };
-  return { row: 2, shape: "dot" };
-}
 
 /** Moves through the time of a replay. */
 export function timeSlider(view: RunView): HTMLInputElement {
@@ -107,7 +101,7 @@ export class Timeline {
     let best: KeptEvent | null = null,
       least = Infinity;
     for (const each of this.view.events) {
-      const d = Math.abs(each.time_s - time) + (look(each.kind).row === row ? 0 : reach / 2);
+      const d = Math.abs(each.time_s - time) + (eventLook(each).row === row ? 0 : reach / 2);
       if (d < reach && d < least) {
         least = d;
         best = each;
@@ -161,7 +155,7 @@ export class Timeline {
       c.fillText(text, Math.max(1, Math.min(width - wide - 1, at - wide / 2)), kHigh - 2);
     }
     for (const event of this.view.events) {
-      const { row, shape } = look(event.kind),
+      const { row, shape } = eventLook(event),
         at = x(event.time_s),
         y = 6 + row * 11;
       c.fillStyle = shape === "triangle" ? colours.warning : shape === "square" ? colours.zone : colours.belief;

@@ -665,11 +665,19 @@ export const kTable: Table = {
       ["mission", "text"],
       ["phenomenon", "uint"],
     ],
+    EventNumbers: [
+      ["other_id", "uint?"],
+      ["task", "uint?"],
+      ["team_task", "uint?"],
+      ["value", "f64?"],
+      ["threshold", "f64?"],
+    ],
     Event: [
       ["time", "time"],
       ["entity_id", "uint"],
       ["kind", "text"],
       ["text", "text"],
+      ["", "@EventNumbers"],
     ],
     Zone3: [
       ["time", "time"],

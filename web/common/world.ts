@@ -77,7 +77,10 @@ export interface Link {
 /** A path that is recommended to the pilot of an aircraft. */
 export type Recommended = RecommendationChange;
 
-export interface KeptEvent extends Event {
+/** What of an event is for people, whatever it is an event of. */
+type Said = Pick<Event, "time_s" | "entity_id" | "kind" | "text">;
+
+export interface KeptEvent extends Said {
   number: number;
   sender: string; // of a command; else empty
 }
@@ -374,7 +377,7 @@ export class World {
     this.touch(topic);
   }
 
-  private addEvent(event: Event, sender: string): void {
+  private addEvent(event: Said, sender: string): void {
     this.events.push({ ...event, number: ++this.eventNumber, sender });
     if (this.events.length > kEventsKept) this.events.splice(0, this.events.length - kEventsKept);
     this.touch("events");

@@ -5,6 +5,7 @@
  * only that they are known.
  */
 import { h } from "../common/dom";
+import { eventKind } from "../common/events";
 import type { App } from "./app";
 import { T } from "../common/texts";
 import { button, icon, iconButton } from "../common/ui";
@@ -22,6 +23,8 @@ interface Alert {
 const kLowBattery = 0.15;
 const kLate = 5; // the clock is late for so long before it is told [s]
 const kMostShown = 3;
+const kAlarmShown = 60; // after an event that is an alarm, unless acknowledged [s]
+const kAlarmsSought = 50; // newest events
 
 /** Tones [Hz] and how often they are repeated, by priority. */
 const kTones: { tones: number[]; times: number }[] = [
@@ -119,6 +122,9 @@ export class Alerts {
         add(2, `battery ${id}`, T.alerts.low(world.name(id), units.percent(fleet.get(row, "charge"))), () => this.show(id));
       }
     }
+    for (const event of world.events.slice(-kAlarmsSought))
+      if (eventKind(event.kind).severity === "alarm" && world.time - event.time_s < kAlarmShown)
+        add(0, `event ${event.number}`, T.alerts.event(world.whose(event), event.text || event.kind), () => app.jumpTo(event));
     for (const each of world.allocations.values())
       if (each.state === "waits") add(2, `proposal ${each.proposer_id} ${each.number}`, T.alerts.proposal(each.number), () => app.showPanel("mission"));
     return out;

@@ -3,6 +3,7 @@
 import { chart, type Chart, type ChartOptions, type Dash, type Line } from "../common/chart";
 import { floats, type RunData } from "./data";
 import { clock, h, section } from "../common/dom";
+import { eventKind } from "../common/events";
 import { comparisonTables, figuresTable, hasMetrics, missionTable, tiles } from "./figures";
 import { flightCharts } from "./flight_plots";
 import { chosen, sameFire } from "./scenario_text";
@@ -243,9 +244,6 @@ function realityTable(run: RunData): HTMLElement | null {
   );
 }
 
-/** Kinds of events that stand out in the list. */
-const kMarked: Record<string, string> = { "traffic-alert": "alerted", recommended: "recommended" };
-
 function eventList(runs: RunData[]): HTMLElement | null {
   const tables = runs
     .filter((run) => run.events.length > 0)
@@ -268,7 +266,7 @@ function eventList(runs: RunData[]): HTMLElement | null {
               ...run.events.map((event) =>
                 h(
                   "tr",
-                  { class: kMarked[event.kind] },
+                  { class: `of-${eventKind(event.kind).severity}`, title: eventKind(event.kind).meaning },
                   h("td", {}, clock(event.time_s)),
                   h("td", {}, names.get(event.entity_id) ?? String(event.entity_id)),
                   h("td", {}, event.kind),

@@ -137,7 +137,8 @@ test("a reader passes over fields and kinds that it does not know", () => {
     (kind, value) => out.push([kind, value]),
   );
   assert.equal(out.length, 1);
-  assert.deepEqual(out[0], ["event", { time_s: 1, entity_id: 2, kind: "task", text: "t" }]);
+  const numbers = { other_id: null, task: null, team_task: null, value: null, threshold: null };
+  assert.deepEqual(out[0], ["event", { time_s: 1, entity_id: 2, kind: "task", text: "t", ...numbers }]);
 });
 
 test("bytes that end too early throw, whatever they are", () => {

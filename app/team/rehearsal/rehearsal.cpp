@@ -86,7 +86,8 @@ class Rehearsal {
       const auto received = network_.receive(id, now_);
       result_.events += received.size();
       reasoning::TeamStep step = member.step(time, received);
-      for (const Event& event : step.events) ++result_.reports[event.kind];
+      for (const Event& event : step.events)
+        ++result_.reports[std::string(event.kind.name())];
       if (!step.send.empty()) sent.emplace_back(id, std::move(step.send));
     }
     for (const auto& [id, messages] : sent) network_.send(id, messages, now_);

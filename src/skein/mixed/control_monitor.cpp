@@ -141,7 +141,7 @@ void ControlMonitor::take(Time now, const VehicleCondition& condition, bool unse
   why_ = fmt::format("it {} in {}{}", condition.on_ground ? "stands" : "flies",
                      condition.mode_name, unseen ? " since its link was down" : " now");
   if (holder_ == Holder::kPilot) {
-    if (before != holder_) events.push_back({"pilot-took-over", why_});
+    if (before != holder_) events.push_back({EventKind::kPilotTookOver, why_});
     return;
   }
   why_ += holder_ == Holder::kFailsafe
@@ -152,7 +152,7 @@ void ControlMonitor::take(Time now, const VehicleCondition& condition, bool unse
                      : fmt::format(" ({})", facts_of(condition));
   why_ += "; it is left alone until its mode is guided or it is handed back";
   if (holder_ == Holder::kOther && before != holder_)
-    events.push_back({"mode-changed", why_});
+    events.push_back({EventKind::kModeChanged, why_});
 }
 
 void ControlMonitor::give_back() {
@@ -174,7 +174,7 @@ bool ControlMonitor::step(Time now, const VehicleCondition& condition, bool land
       give_back();
       given_back = true;
       events.push_back(
-          {"handed-back", fmt::format("its mode is {}", condition.mode_name)});
+          {EventKind::kHandedBack, fmt::format("its mode is {}", condition.mode_name)});
     } else if (changed) {
       take(now, condition, unseen, events);
     }

@@ -50,7 +50,7 @@ void DrivenPlant::advance(const Surroundings& world, Time now, Time until) {
     const bool last = now + parts_.step >= until;
     if (auto accident = flight.step(now, control(), dt, last)) {
       lost_ = true;
-      events_.push_back({"accident", *std::move(accident)});
+      events_.push_back({EventKind::kAccident, *std::move(accident)});
     } else {
       now += parts_.step;
       exchange(now, v_before_N, flight.ground_msl());

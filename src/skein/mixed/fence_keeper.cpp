@@ -45,15 +45,15 @@ void FenceKeeper::hear(const RequestAnswer& answer, Time now,
   pending_ = 0;
   if (answer.outcome == RequestAnswer::Outcome::kAccepted) {
     refused_.clear();
-    events.push_back({"fence-uploaded", fmt::format("zones: {}", uploaded_)});
+    events.push_back({EventKind::kFenceUploaded, fmt::format("zones: {}", uploaded_)});
     return;
   }
   changed_ = true;
   if (answer.outcome == RequestAnswer::Outcome::kUnsupported) supported_ = false;
   if (answer.outcome == RequestAnswer::Outcome::kDenied) again_at_ = now + kAfterDenial;
   if (std::exchange(refused_, answer.text) == answer.text) return;
-  events.push_back(
-      {"fence-refused", fmt::format("{}: {}", name_of(answer.outcome), answer.text)});
+  events.push_back({EventKind::kFenceRefused,
+                    fmt::format("{}: {}", name_of(answer.outcome), answer.text)});
 }
 
 // Which zones count now; one that does is left later than it was taken in.

@@ -123,16 +123,16 @@ void FlightDirector::hear(const RequestAnswer& answer, Time now,
 // Once, and again when the reason is another. What has no text was said elsewhere.
 void FlightDirector::refused(const std::string& reason, Time now,
                              std::vector<VehicleEvent>& events) {
-  const char* kind = goal_ == Goal::kTakeOff || goal_ == Goal::kBringBack
-                         ? "take-off-denied"
-                         : "request-denied";
+  const EventKind kind = goal_ == Goal::kTakeOff || goal_ == Goal::kBringBack
+                             ? EventKind::kTakeOffDenied
+                             : EventKind::kRequestDenied;
   const std::string short_reason = without_numbers(reason);
   if (reason.empty() || short_reason == denied_) return;
   denied_ = short_reason;
-  const auto said = said_.find(kind + short_reason);
+  const auto said = said_.find({kind, short_reason});
   if (said != said_.end() && now - said->second < kSaidAgain) return;
   if (said_.size() >= kMaxReasons) said_.clear();
-  said_[kind + short_reason] = now;
+  said_[{kind, short_reason}] = now;
   events.push_back({kind, reason});
 }
 
@@ -141,7 +141,7 @@ void FlightDirector::not_brought_back(const std::string& reason,
                                       std::vector<VehicleEvent>& events) {
   const bool both = lands_next_ || !hovers_;
   if (both && !std::exchange(not_back_said_, true))
-    events.push_back({"not-brought-back",
+    events.push_back({EventKind::kNotBroughtBack,
                       fmt::format("{}{}{}; only its pilot or a failsafe of its own can "
                                   "bring it back",
                                   not_back_, not_back_.empty() ? "" : "; ", reason)});
@@ -179,7 +179,7 @@ Result<void> FlightDirector::hand_back(std::vector<VehicleEvent>& events) {
     return Error{ErrorCode::kBadInput, "", "its link is down.", "Try when it is up."};
   if (auto given = control_.hand_back(); !given) return given;
   begin_again();
-  events.push_back({"handed-back", "by a command"});
+  events.push_back({EventKind::kHandedBack, "by a command"});
   return {};
 }
 

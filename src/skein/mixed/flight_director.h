@@ -108,8 +108,9 @@ class FlightDirector {
   std::uint32_t number_ = 0, pending_ = 0;  // of requests
   Time again_at_;
   std::optional<Time> on_ground_since_;
-  std::string denied_;                // the last reason
-  std::map<std::string, Time> said_;  // reasons, and when they were reported last
+  std::string denied_;  // the last reason
+  std::map<std::pair<EventKind, std::string>, Time>
+      said_;                          // when reported last, by reason
   int denials_ = 0;                   // in a row
   bool accepted_ = false;             // it has taken a command, some time
   bool armed_before_ = false;         // when a take-off was asked for

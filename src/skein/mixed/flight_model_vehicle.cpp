@@ -24,7 +24,7 @@ struct FlightModelVehicle::Listener {
   }
   void operator()(const LinkChange& change) const {
     if (change.kind != LinkChange::Kind::kRebooted) return;
-    self.events_.push_back({"flight-model-reset", change.text});
+    self.events_.push_back({EventKind::kFlightModelReset, change.text});
     self.motion_.forget();
     self.begins_ = true;
   }
@@ -39,7 +39,8 @@ void FlightModelVehicle::hear(const VehicleMotion& motion) {
   motion_.add(motion);
   if (contact_ == Contact::kHeard) return;
   const bool first = contact_ == Contact::kNone;
-  events_.push_back({first ? "flight-model-heard" : "flight-model-back", ""});
+  events_.push_back(
+      {first ? EventKind::kFlightModelHeard : EventKind::kFlightModelBack, ""});
   contact_ = Contact::kHeard;
   begins_ = true;
 }
@@ -69,9 +70,9 @@ void FlightModelVehicle::begin_step(Time now) {
   const bool old = !motion_.known() || now - motion_.newest().time > parts_.max_age;
   if (old && contact_ == Contact::kHeard) {
     contact_ = Contact::kSilent;
-    events_.push_back(
-        {"flight-model-silent", fmt::format("nothing for {:.1f} s; its controls stay",
-                                            parts_.max_age.seconds())});
+    events_.push_back({EventKind::kFlightModelSilent,
+                       fmt::format("nothing for {:.1f} s; its controls stay",
+                                   parts_.max_age.seconds())});
   }
   if (contact_ == Contact::kHeard) place(now);
 }

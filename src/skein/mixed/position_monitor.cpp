@@ -40,12 +40,12 @@ void PositionMonitor::lose(State state, Time now, bool link_up, bool on_ground,
                            std::vector<VehicleEvent>& events) {
   if (is_good()) lost_at_ = now;
   state_ = state;
-  const char* kind = "position-old";
+  EventKind kind = EventKind::kPositionOld;
   if (state == State::kLost) {
-    kind = "position-lost";
+    kind = EventKind::kPositionLost;
     why_ = "it has no position by satellites any more and flies by dead reckoning";
   } else if (state == State::kJumped) {
-    kind = "position-jumped";
+    kind = EventKind::kPositionJumped;
     why_ = fmt::format("its position jumped by {:.0f} m", jump_);
   } else {
     why_ =
@@ -72,9 +72,9 @@ void PositionMonitor::step(Time now, const VehicleCondition& condition, bool lin
   if (!good_since_) good_since_ = now;
   if (settles && now - *good_since_ < kSettles) return;
   if (said_)
-    events.push_back(
-        {"position-back", fmt::format("its position is good again after {:.1f} s",
-                                      (now - lost_at_).seconds())});
+    events.push_back({EventKind::kPositionBack,
+                      fmt::format("its position is good again after {:.1f} s",
+                                  (now - lost_at_).seconds())});
   said_ = false;
   state_ = State::kGood;
   why_.clear();

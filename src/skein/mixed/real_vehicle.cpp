@@ -21,20 +21,20 @@ bool hovers(const FlightLimits& limits) {
   return limits.slowest == 0;
 }
 
-const char* event_of(LinkChange::Kind kind) {
+EventKind event_of(LinkChange::Kind kind) {
   switch (kind) {
     case LinkChange::Kind::kUp:
-      return "link-up";
+      return EventKind::kLinkUp;
     case LinkChange::Kind::kDown:
-      return "link-lost";
+      return EventKind::kLinkLost;
     case LinkChange::Kind::kRebooted:
-      return "vehicle-rebooted";
+      return EventKind::kVehicleRebooted;
     case LinkChange::Kind::kMismatch:
-      return "wrong-vehicle";
+      return EventKind::kWrongVehicle;
     case LinkChange::Kind::kDuplicate:
-      return "duplicate-vehicle";
+      break;
   }
-  return "";
+  return EventKind::kDuplicateVehicle;
 }
 
 // Wind that may carry it over ground, on top of its own speed [m/s].
@@ -75,18 +75,19 @@ struct RealVehicle::Listener {
   void operator()(const VehicleText& text) const {
     self.director_.hear(text, now);
     constexpr std::uint8_t kError = 3;  // and what is worse
-    if (text.severity <= kError) self.events_.push_back({"vehicle-says", text.text});
+    if (text.severity <= kError)
+      self.events_.push_back({EventKind::kVehicleSays, text.text});
   }
   void operator()(const MissionProgress&) const {}
   void operator()(const VehicleIdentity& identity) const {
-    self.events_.push_back({"vehicle-identified", identity.make});
+    self.events_.push_back({EventKind::kVehicleIdentified, identity.make});
   }
   void operator()(const LinkHealth&) const {}
   void operator()(const EntityReport&) const {}     // its agent is here
   void operator()(const ActuatorOutputs&) const {}  // of a body's drive
   void operator()(const OutsideEvent& event) const {
     // In the air the monitor of its position reports it.
-    if (event.kind == "position-jumped" && !self.condition_.on_ground) return;
+    if (event.kind == EventKind::kPositionJumped && !self.condition_.on_ground) return;
     self.events_.push_back({event.kind, event.text});
   }
   void operator()(const FeedHealth&) const {}
@@ -208,7 +209,7 @@ void RealVehicle::watch_command(Time now) {
   in.climbs_to = director_.climbs_to();
   const std::string why = monitor_.step(now, in);
   if (why.empty()) return;
-  events_.push_back({"not-commandable", why + "; it is sent back"});
+  events_.push_back({EventKind::kNotCommandable, why + "; it is sent back"});
   director_.bring_back(why);
 }
 
@@ -332,7 +333,8 @@ Result<void> RealVehicle::set_fault(const std::string& part, bool fails, Time no
                              "be made to fail.",
                              parts_.name),
                  ""};
-  if (blocked_ != fails) events_.push_back({fails ? "failure" : "repaired", "link"});
+  if (blocked_ != fails)
+    events_.push_back({fails ? EventKind::kFailure : EventKind::kRepaired, "link"});
   set_blocked(fails);
   return {};
 }

@@ -10,20 +10,20 @@
 namespace skein::mixed {
 namespace {
 
-const char* remote_event(LinkChange::Kind kind) {
+EventKind remote_event(LinkChange::Kind kind) {
   switch (kind) {
     case LinkChange::Kind::kUp:
-      return "link-up";
+      return EventKind::kLinkUp;
     case LinkChange::Kind::kDown:
-      return "link-lost";
+      return EventKind::kLinkLost;
     case LinkChange::Kind::kRebooted:
-      return "agent-restarted";
+      return EventKind::kAgentRestarted;
     case LinkChange::Kind::kMismatch:
-      return "wrong-agent";
+      return EventKind::kWrongAgent;
     case LinkChange::Kind::kDuplicate:
-      return "duplicate-agent";
+      break;
   }
-  return "";
+  return EventKind::kDuplicateAgent;
 }
 
 VehicleMotion believed_motion(const NavEstimate& nav) {
@@ -133,8 +133,8 @@ struct RemoteVehicle::Listener {
   }
   void operator()(const OutsideEvent& event) const {
     self.events_.push_back({event.kind, event.text});
-    if (event.kind == "neighbour-found") self.heard_ = true;
-    if (event.kind == "neighbour-lost") self.heard_ = false;
+    if (event.kind == EventKind::kNeighbourFound) self.heard_ = true;
+    if (event.kind == EventKind::kNeighbourLost) self.heard_ = false;
   }
   void operator()(const EntityReport& report) const {
     std::visit(SayingListener{self}, report.said);
@@ -168,8 +168,9 @@ void RemoteVehicle::begin_step(Time now) {
 void RemoteVehicle::carry_on(Time now) {
   const bool old = state_ && !fresh(now);
   if (old && !std::exchange(stale_, true))
-    events_.push_back({"position-old", fmt::format("its last position is {:.1f} s old",
-                                                   (now - state_->nav.time).seconds())});
+    events_.push_back(
+        {EventKind::kPositionOld, fmt::format("its last position is {:.1f} s old",
+                                              (now - state_->nav.time).seconds())});
   if (!old) stale_ = false;
   if (believed_.known()) {
     estimate_ = as_estimate(believed_.at(now));
@@ -245,7 +246,7 @@ Result<void> RemoteVehicle::set_fault(const std::string& part, bool fails, Time 
   }
   if (blocked_ == fails) return {};
   blocked_ = fails;
-  events_.push_back({fails ? "failure" : "repaired", "link"});
+  events_.push_back({fails ? EventKind::kFailure : EventKind::kRepaired, "link"});
   return {};
 }
 

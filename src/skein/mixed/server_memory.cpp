@@ -100,7 +100,7 @@ void ServerMemory::refuse(Time now, const Observation& seen, Known& known) {
   if (entry && seen.time > entry->since)
     known.relied.try_emplace(seen.observer, seen.time);
   if (!refused_.emplace(seen.observer, seen.object).second) return;
-  events_.push_back({now, seen.observer, "update-refused",
+  events_.push_back({now, seen.observer, EventKind::kUpdateRefused,
                      fmt::format("{}: seen in the server's memory only; that does not "
                                  "refresh it",
                                  known.what.object.name)});
@@ -122,12 +122,15 @@ void ServerMemory::find_passages(Time now, const Observation& seen, const Known&
   for (const Passage& each : passages_.nearest(cylinder, known.unknown_since, seen.time,
                                                options_.safety_radius))
     events_.push_back(
-        {now, each.aircraft, "unknown-object-interaction",
+        {now,
+         each.aircraft,
+         EventKind::kUnknownObjectInteraction,
          fmt::format("{} {} at {:.1f} s, {:.1f} m from it (its place is known to {:.1f} "
                      "m); nobody knew of it until {} saw it at {:.1f} s",
                      each.distance > 0 ? "passed" : "went through",
                      known.what.object.name, each.time.seconds(), each.distance,
-                     seen.position_sd, name_of(seen.observer), seen.time.seconds())});
+                     seen.position_sd, name_of(seen.observer), seen.time.seconds()),
+         {.value = each.distance}});
 }
 
 // What was found in the picture is remembered as of its time by now: the look was not in
@@ -154,7 +157,7 @@ void ServerMemory::forget(Time now, const Observation& last, ObservationFate fat
   known.relied.clear();
   observations_.push_back({now, last, fate});
   events_.push_back(
-      {now, last.observer, "forgotten",
+      {now, last.observer, EventKind::kForgotten,
        fmt::format(
            "{}: last seen at {:.1f} s, {}", known.what.object.name, last.time.seconds(),
            fate == ObservationFate::kExpired ? "too long ago" : "not found there")});
@@ -168,7 +171,7 @@ void ServerMemory::report_reliance(Time now, EntityId finder, const std::string&
     who += fmt::format("{}{} from {:.1f} s on", who.empty() ? "" : ", ", name_of(entity),
                        since.seconds());
   events_.push_back(
-      {now, finder, "non-actual-observation",
+      {now, finder, EventKind::kNonActualObservation,
        fmt::format("{}: remembered at {:.0f} m north, {:.0f} m east as of {:.1f} s, {}; "
                    "relied on by {}",
                    known.what.object.name, remembered.position.x(),

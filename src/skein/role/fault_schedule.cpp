@@ -41,7 +41,7 @@ bool FaultSchedule::update(Time now, std::vector<VehicleEvent>& events) {
     if (active == active_[k]) continue;
     changed = true;
     active_[k] = active;
-    events.push_back({active ? "failure" : "repaired",
+    events.push_back({active ? EventKind::kFailure : EventKind::kRepaired,
                       active ? text_of(faults_[k]) : text_of_end(faults_[k])});
   }
   if (!changed) return false;

@@ -10,6 +10,7 @@
 #include "skein/base/result.h"
 #include "skein/base/time.h"
 #include "skein/data/airspace/zone.h"
+#include "skein/data/event/event_kind.h"
 #include "skein/data/perimeter/object.h"
 #include "skein/data/traffic/traffic.h"
 #include "skein/data/vehicle/autopilot.h"
@@ -35,8 +36,8 @@ struct Surroundings {
 
 /// Something that happened to a vehicle, for the records.
 struct VehicleEvent {
-  std::string kind;
-  std::string text;
+  EventLabel kind;
+  std::string text;  ///< for people
 };
 
 /// What the payload has measured: samples of one sensor follow one another.

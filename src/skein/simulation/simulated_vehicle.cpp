@@ -82,7 +82,7 @@ void SimulatedVehicle::advance(const Surroundings& world, Time now, Time until,
     const bool last = now + parts_.step >= until;
     if (auto accident = flight.step(now, control, dt, last)) {
       lost_ = true;
-      return events_.push_back({"accident", *std::move(accident)});
+      return events_.push_back({EventKind::kAccident, *std::move(accident)});
     }
     now += parts_.step;
     sense(world, now);

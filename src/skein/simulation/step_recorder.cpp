@@ -27,6 +27,11 @@ std::string failsafe_text(const AutopilotStatus& status) {
   return text;
 }
 
+// Whether something else than its agent flies the aircraft.
+bool is_acting(const AutopilotStatus& status) {
+  return status.reaction != FailsafeReaction::kNone || !status.held.empty();
+}
+
 std::optional<double> rms_sigma(const BoundaryEstimate& belief) {
   double sum = 0;
   int count = 0;
@@ -165,12 +170,17 @@ void StepRecorder::message(const MessageOutcome& outcome, Time ended) {
 void StepRecorder::separation(const SeparationMonitor& monitor) {
   for (const SeparationLossRecord& loss : monitor.begun()) {
     const Event begun{
-        loss.begun, loss.id, "separation-lost",
+        loss.begun,
+        loss.id,
+        EventKind::kSeparationLost,
         fmt::format("{} and {} are {:.1f} m beside and {:.1f} m above each other; {:g} m "
                     "or {:g} m are required ({})",
                     name_of_entity(loss.id), name_of_entity(loss.other), loss.horizontal,
                     loss.vertical, loss.required_horizontal, loss.required_vertical,
-                    name_of(loss.phase))};
+                    name_of(loss.phase)),
+        {.other = loss.other,
+         .value = loss.horizontal,
+         .threshold = loss.required_horizontal}};
     // Where nobody keeps apart it is no news.
     if (monitor.keeps_apart(loss.id) || monitor.keeps_apart(loss.other))
       event(begun);
@@ -180,29 +190,33 @@ void StepRecorder::separation(const SeparationMonitor& monitor) {
   for (const SeparationLossRecord& loss : monitor.over()) {
     recorder_.record(loss);
     event_quietly(
-        {loss.time, loss.id,
-         loss.over ? "separation-restored" : "separation-not-restored",
+        {loss.time,
+         loss.id,
+         loss.over ? EventKind::kSeparationRestored : EventKind::kSeparationNotRestored,
          fmt::format("{} and {}: least distance {:.1f} m, ratio {:.2f} at {:.1f} s ({})",
                      name_of_entity(loss.id), name_of_entity(loss.other), loss.distance,
-                     loss.ratio, loss.closest.seconds(), name_of(loss.phase))});
+                     loss.ratio, loss.closest.seconds(), name_of(loss.phase)),
+         {.other = loss.other, .value = loss.distance}});
   }
 }
 
 void StepRecorder::status_changes(Time now, std::size_t i, EntityState& state) {
   const AutopilotStatus& status = state.status;
   const AutopilotStatus& last = state.last_status;
-  if (status.mode != last.mode) event(now, i, "mode", std::string(name_of(status.mode)));
+  if (status.mode != last.mode)
+    event(now, i, EventKind::kMode, std::string(name_of(status.mode)));
   // A reaction without a trigger is no failsafe: somebody else flies it.
   const bool acts = status.trigger != FailsafeTrigger::kNone;
   if (status.trigger != last.trigger || (acts && status.reaction != last.reaction))
-    event(now, i, "failsafe", acts ? failsafe_text(status) : "over");
+    event(now, i, EventKind::kFailsafe, acts ? failsafe_text(status) : "over",
+          {.value = acts && is_acting(status) ? 1 : 0});
   sensor_changes(now, i, state);
   if (status.refusals > last.refusals)
     if (auto text =
             state.refusals.report(now, status.refusals - last.refusals, status.refused))
-      event(now, i, "refused", *std::move(text));
+      event(now, i, EventKind::kRefused, *std::move(text));
   if (status.on_ground != state.was_on_ground)
-    event(now, i, status.on_ground ? "landed" : "took-off",
+    event(now, i, status.on_ground ? EventKind::kLanded : EventKind::kTookOff,
           fmt::format("{} {} the ground", world_.entities[i].name,
                       status.on_ground ? "stands on" : "has left"));
   state.was_on_ground = status.on_ground;
@@ -218,17 +232,19 @@ void StepRecorder::sensor_changes(Time now, std::size_t i, const EntityState& st
     const auto sensor = static_cast<FlightSensor>(k);
     const bool lost = (status.lost_sensors >> k & 1u) != 0;
     if (lost != ((last.lost_sensors >> k & 1u) != 0))
-      event(now, i, lost ? "sensor-lost" : "sensor-back",
+      event(now, i, lost ? EventKind::kSensorLost : EventKind::kSensorBack,
             lost ? fmt::format("{}: {}", name_of(sensor), instead_of(sensor))
                  : std::string(name_of(sensor)));
     if (status.units[k] != last.units[k])
-      event(now, i, "sensor-switched",
-            fmt::format("{}: flies by number {}", name_of(sensor), status.units[k] + 1));
+      event(now, i, EventKind::kSensorSwitched,
+            fmt::format("{}: flies by number {}", name_of(sensor), status.units[k] + 1),
+            {.value = status.units[k] + 1});
   }
 }
 
-void StepRecorder::event(Time now, std::size_t i, std::string kind, std::string text) {
-  event({now, entity_at(i), std::move(kind), std::move(text)});
+void StepRecorder::event(Time now, std::size_t i, EventLabel kind, std::string text,
+                         EventNumbers numbers) {
+  event({now, entity_at(i), std::move(kind), std::move(text), numbers});
 }
 
 void StepRecorder::event(const Event& event) {
@@ -238,7 +254,7 @@ void StepRecorder::event(const Event& event) {
 
 void StepRecorder::event_quietly(const Event& event) {
   log_info("{:.1f} s, {}: {}: {}", event.time.seconds(), name_of_entity(event.entity),
-           event.kind, event.text);
+           event.kind.name(), event.text);
   recorder_.record(event);
 }
 

@@ -52,7 +52,8 @@ class StepRecorder {
   void status_changes(Time now, std::size_t i, EntityState& state);
 
   /// An event of entity `i`.
-  void event(Time now, std::size_t i, std::string kind, std::string text);
+  void event(Time now, std::size_t i, EventLabel kind, std::string text,
+             EventNumbers numbers = {});
   /// An event; where operators are to know of it at once, it is among the announcements.
   void event(const Event& event);
 

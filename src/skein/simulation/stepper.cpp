@@ -171,7 +171,7 @@ void Stepper::update_presence(Time now) {
       state.last_status = entity.vehicle->status();
       state.was_on_ground = state.last_status.on_ground;
     }
-    records_.event(now, i, active ? "joined" : "left",
+    records_.event(now, i, active ? EventKind::kJoined : EventKind::kLeft,
                    fmt::format("{} {}", entity.name,
                                active ? "takes part" : "no longer takes part"));
   }

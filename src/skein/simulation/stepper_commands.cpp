@@ -32,7 +32,7 @@ bool Stepper::is_station(const std::string& name) const {
 
 void Stepper::refuse(Time now, const std::string& why) {
   refusal_ = why;
-  records_.event({now, EntityId{}, "command-refused", why});
+  records_.event({now, EntityId{}, EventKind::kCommandRefused, why});
 }
 
 void Stepper::obey(Time now, const Command& command) {
@@ -105,8 +105,8 @@ void Stepper::obey(Time now, const Command& command) {
     }
     void operator()(const RefusedCommand& c) const {
       if (const auto i = run.find(c.aircraft))
-        return run.records_.event(now, *i, "command-refused", c.text);
-      run.records_.event({now, EntityId{}, "command-refused", c.text});
+        return run.records_.event(now, *i, EventKind::kCommandRefused, c.text);
+      run.records_.event({now, EntityId{}, EventKind::kCommandRefused, c.text});
     }
     void operator()(const WindCommand& c) const {
       run.world_.wind->set_added({c.added.x(), c.added.y(), 0});

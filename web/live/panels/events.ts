@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /** Events with filters, and what became of the commands that were given here. */
 import { clock, h } from "../../common/dom";
+import { eventKind, isBad } from "../../common/events";
 import type { App } from "../app";
 import { T } from "../../common/texts";
 import { option, setText } from "../../common/ui";
@@ -131,7 +132,8 @@ export class EventsPanel implements Panel {
       setText(line.time, clock(event.time_s));
       setText(line.who, this.app.world.whose(event));
       setText(line.what, `${event.kind}: ${event.text}`);
-      line.what.title = event.text;
+      line.what.title = `${event.text}\n${eventKind(event.kind).meaning}`;
+      line.element.classList.toggle("bad", isBad(event.kind));
     }
     for (let i = Math.max(0, last - first); i < this.lines.length; ++i) this.lines[i].element.hidden = true;
   }

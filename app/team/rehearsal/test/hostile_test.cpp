@@ -19,9 +19,9 @@ class Hostile : public testing::Test {
   }
 
   // Kinds of events that a message causes.
-  std::set<std::string> outcome(std::uint32_t from, TeamContent content,
-                                bool to_all = false, std::uint32_t number = 1,
-                                std::uint32_t version = TeamMessage::kVersion) {
+  std::set<EventKind> outcome(std::uint32_t from, TeamContent content,
+                              bool to_all = false, std::uint32_t number = 1,
+                              std::uint32_t version = TeamMessage::kVersion) {
     const reasoning::TeamReceived message{
         {from}, to_all, {version, number, std::move(content)}};
     team_.now += 0.01;
@@ -29,11 +29,11 @@ class Hostile : public testing::Test {
         team_.at(4).step(Time::from_seconds(team_.now), {&message, 1});
     EXPECT_EQ(team_.at(4).status(), status_);
     EXPECT_EQ(team_.at(4).tasks(), tasks_);
-    std::set<std::string> kinds;
-    for (const Event& event : step.events) kinds.insert(event.kind);
+    std::set<EventKind> kinds;
+    for (const Event& event : step.events) kinds.insert(event.kind.kind());
     return kinds;
   }
-  using Kinds = std::set<std::string>;
+  using Kinds = std::set<EventKind>;
 
   SmallTeam team_;
   TeamStatus status_;
@@ -42,34 +42,36 @@ class Hostile : public testing::Test {
 
 TEST_F(Hostile, OrdersOfWhoDoesNotLeadAreRefused) {
   const TeamAssign order{{"M"}, 99, SmallTeam::tasks(3)};
-  EXPECT_EQ(outcome(6, order), Kinds{"order-refused"});
-  EXPECT_EQ(outcome(77, order), Kinds{"order-refused"});
-  EXPECT_EQ(outcome(2, TeamAssign{{"N"}, 99, {}}, false, 60), Kinds{"order-refused"});
+  EXPECT_EQ(outcome(6, order), Kinds{EventKind::kTeamOrderRefused});
+  EXPECT_EQ(outcome(77, order), Kinds{EventKind::kTeamOrderRefused});
+  EXPECT_EQ(outcome(2, TeamAssign{{"N"}, 99, {}}, false, 60),
+            Kinds{EventKind::kTeamOrderRefused});
 }
 
 TEST_F(Hostile, OtherVersionsAndImpossibleValuesAreRefused) {
-  EXPECT_EQ(outcome(2, TeamQuery{}, true, 9000, 7), Kinds{"other-version"});
+  EXPECT_EQ(outcome(2, TeamQuery{}, true, 9000, 7), Kinds{EventKind::kTeamOtherVersion});
   TeamInform bad;
   bad.resources.place = {1e300, 0, 0};
-  EXPECT_EQ(outcome(2, bad, true, 9000), Kinds{"implausible"});
-  EXPECT_EQ(outcome(6, TeamQuery{}, true, 4'000'000'000U), Kinds{"implausible"});
-  EXPECT_EQ(outcome(4, TeamQuery{}, true), Kinds{"own-id"});
+  EXPECT_EQ(outcome(2, bad, true, 9000), Kinds{EventKind::kTeamImplausible});
+  EXPECT_EQ(outcome(6, TeamQuery{}, true, 4'000'000'000U),
+            Kinds{EventKind::kTeamImplausible});
+  EXPECT_EQ(outcome(4, TeamQuery{}, true), Kinds{EventKind::kTeamOwnId});
 }
 
 TEST_F(Hostile, TheSecondOfTwoWithOneIdIsRefused) {
   TeamQuery query;
   query.mission = TeamMission{"M"};
   query.successor = EntityId{4};
-  EXPECT_EQ(outcome(2, query, true, 3), Kinds{"duplicate-id"});
+  EXPECT_EQ(outcome(2, query, true, 3), Kinds{EventKind::kTeamDuplicateId});
 }
 
 TEST_F(Hostile, AnswersThatNobodyAskedForAreRefused) {
   EXPECT_EQ(outcome(6, TeamSplit{{"M", EntityId{4}}, {{4}, {6}, 2}, 0, 1, {}}),
-            Kinds{"answer-refused"});
+            Kinds{EventKind::kTeamAnswerRefused});
   EXPECT_EQ(outcome(6, TeamAccept{1, {"M"}, 0, 1}, false, 2), Kinds{});
   EXPECT_EQ(outcome(6, TeamMerge{{"M"}, {{4}, {6}, 1}, true, {{6}}}, false, 3), Kinds{});
   EXPECT_EQ(outcome(6, TeamState{1, 0, 1, {{6}}, {}, {}}, true, 5000),
-            Kinds{"implausible"});
+            Kinds{EventKind::kTeamImplausible});
 }
 
 TEST_F(Hostile, AMasterIsNotMovedByWhoDoesNotLead) {
@@ -103,7 +105,7 @@ TEST_F(Hostile, StrangersAreRefusedWhereTheTeamIsKnown) {
   team.run(30);
   EXPECT_EQ(team.masters().at(2), 2u);
   EXPECT_EQ(team.masters().at(4), 2u);
-  EXPECT_GE(team.count("unknown-sender"), 2);
+  EXPECT_GE(team.count(EventKind::kTeamUnknownSender), 2);
 }
 
 TEST_F(Hostile, AFloodIsReportedOnceInAWhile) {
@@ -129,7 +131,7 @@ TEST(HostileTeam, GoesOnWithTwoMembersOfOneId) {
   }
   EXPECT_EQ(team.masters().at(2), 2u);
   EXPECT_EQ(team.masters().at(4), 2u);
-  EXPECT_GE(team.count("duplicate-id"), 1);
+  EXPECT_GE(team.count(EventKind::kTeamDuplicateId), 1);
   EXPECT_EQ(team.executors(), (std::map<std::uint32_t, int>{{1, 1}, {2, 1}, {3, 1}}));
 }
 

@@ -52,7 +52,7 @@ struct SmallTeam {
     }
   }
 
-  int count(const std::string& kind) const {
+  int count(EventKind kind) const {
     int n = 0;
     for (const Event& event : events) n += event.kind == kind ? 1 : 0;
     return n;

@@ -68,8 +68,8 @@ TEST(TeamMember, AMasterThatLeavesHandsOverWithoutAGap) {
   }
   EXPECT_EQ(team.masters(), (Masters{{2, 4}, {4, 4}, {6, 4}}));
   EXPECT_EQ(team.at(4).status().reason, TeamReason::kHandover);
-  EXPECT_EQ(team.count("handover"), 1);
-  EXPECT_EQ(team.count("merged"), 0);
+  EXPECT_EQ(team.count(EventKind::kTeamHandover), 1);
+  EXPECT_EQ(team.count(EventKind::kTeamMerged), 0);
   // It is not selected again while others are there.
   team.crash(4);
   team.run(12);
@@ -140,7 +140,7 @@ TEST(TeamMember, ATaskOfTheLostIsFlownByWhoIsIdle) {
   team.crash(busy);
   team.run(4 + 5);
   EXPECT_EQ(team.executors(), (Executors{{1, 1}, {2, 1}}));
-  EXPECT_EQ(team.count("follower-lost"), 1);
+  EXPECT_EQ(team.count(EventKind::kTeamFollowerLost), 1);
 }
 
 TEST(TeamMember, WhoIsNotAbleAnyMoreGivesItsTaskUp) {
@@ -200,7 +200,7 @@ TEST(TeamMember, ANewcomerThatNobodyNeedsWaits) {
   team.add(9);
   team.run(30);
   EXPECT_EQ(team.masters(), (Masters{{5, 5}, {7, 5}, {9, 0}}));
-  EXPECT_GE(team.count("rejected"), 2);
+  EXPECT_GE(team.count(EventKind::kTeamRejected), 2);
 }
 
 // Two teams that meet twice, as in section 10: merge, then split.
@@ -252,14 +252,15 @@ TEST(TeamMember, TasksOfALostBranchAreTakenBackAndGivenBack) {
   EXPECT_TRUE(team.at(4).tasks().empty());
   team.network.partition({{{2}, {4}}, {{6}}});
   team.run(10);
-  EXPECT_EQ(team.count("took-back"), 1 + 1) << "each takes those of the other";
+  EXPECT_EQ(team.count(EventKind::kTeamTookBack), 1 + 1)
+      << "each takes those of the other";
   for (const std::uint32_t id : {2U, 4U}) {
     ASSERT_EQ(team.at(id).tasks().size(), 1u);
     EXPECT_TRUE(theirs.contains(team.at(id).tasks().front()));
   }
   team.network.heal();
   team.run(4 + 3);
-  EXPECT_EQ(team.count("gave-back"), 2);
+  EXPECT_EQ(team.count(EventKind::kTeamGaveBack), 2);
   EXPECT_TRUE(team.at(2).tasks().empty());
   EXPECT_TRUE(team.at(4).tasks().empty());
   EXPECT_EQ(team.at(6).tasks().size(), 1u);
@@ -274,7 +275,7 @@ TEST(TeamMember, AShortLossOfTheMasterDoesNotCountAsMeeting) {
     team.run(15);
     EXPECT_EQ(team.masters(), (Masters{{2, 2}, {4, 2}, {6, 2}})) << k;
   }
-  EXPECT_EQ(team.count("split"), 0);
+  EXPECT_EQ(team.count(EventKind::kTeamSplit), 0);
 }
 
 // All in which 2 said in full that it follows 6 was lost; what it says in short is

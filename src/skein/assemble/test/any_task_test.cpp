@@ -58,13 +58,15 @@ TEST(AnyTask, IsFlownByEveryAircraftThatTakesOrders) {
     for (const char* agent : {"scout", "wingman"}) {
       SCOPED_TRACE(fmt::format("{} {}", plant, agent));
       const FlightLog log = fly(scenario_of(plant, agent));
-      EXPECT_EQ(log.find("task-refused"), nullptr) << log.story();
-      EXPECT_EQ(log.find("command-refused"), nullptr) << log.story();
+      EXPECT_EQ(log.find(EventKind::kTaskRefused), nullptr) << log.story();
+      EXPECT_EQ(log.find(EventKind::kCommandRefused), nullptr) << log.story();
       for (const char* kind : {"fly_to", "fly_route", "fly_tour", "follow_line",
                                "fly_course", "follow_edge", "loiter"})
-        EXPECT_TRUE(std::any_of(
-            log.events.begin(), log.events.end(),
-            [&](const Event& e) { return e.kind == "task" && e.text.ends_with(kind); }))
+        EXPECT_TRUE(std::any_of(log.events.begin(), log.events.end(),
+                                [&](const Event& e) {
+                                  return e.kind == EventKind::kTask &&
+                                         e.text.ends_with(kind);
+                                }))
             << kind << log.story();
       // Of rows a second or less apart, and turns that begin early at corners.
       EXPECT_LT(nearest(log, {500, 300}, 10, 110), 20);
@@ -110,7 +112,7 @@ commands:
                          duration, plant, task, more));
 }
 
-bool says(const FlightLog& log, const std::string& kind) {
+bool says(const FlightLog& log, EventKind kind) {
   return log.find(kind) != nullptr;
 }
 
@@ -133,7 +135,7 @@ TEST(AnyTask, SurveySeesAllOfItsArea) {
     SCOPED_TRACE(plant);
     const FlightLog log = fly_task(
         plant, "survey 100,100 500,100 500,500 100,500 swath 100 overlap 0.1", 900);
-    EXPECT_TRUE(says(log, "task-done")) << log.story();
+    EXPECT_TRUE(says(log, EventKind::kTaskDone)) << log.story();
     // By the truth: every place is within half a swath of the flight.
     for (double north = 105; north < 500; north += 10)
       for (double east = 105; east < 500; east += 10)
@@ -145,7 +147,7 @@ TEST(AnyTask, PatrolFliesAlongItsLineAgainAndAgain) {
   for (const char* plant : kPlants) {
     SCOPED_TRACE(plant);
     const FlightLog log = fly_task(plant, "patrol 0,200 600,200 rounds 2", 700);
-    EXPECT_TRUE(says(log, "task-done")) << log.story();
+    EXPECT_TRUE(says(log, EventKind::kTaskDone)) << log.story();
     for (double north = 0; north <= 600; north += 50) {
       int passes = 0;
       bool near = false;
@@ -163,7 +165,7 @@ TEST(AnyTask, OrbitStaysWithAPointForItsTime) {
   for (const char* plant : kPlants) {
     SCOPED_TRACE(plant);
     const FlightLog log = fly_task(plant, "orbit 300,-300 radius 120 duration 100", 260);
-    EXPECT_TRUE(says(log, "task-done")) << log.story();
+    EXPECT_TRUE(says(log, EventKind::kTaskDone)) << log.story();
     int there = 0;
     for (const FlightRow& row : log.rows.at(1)) {
       const double d = (geo::horizontal(row.truth.p_N) - Vec2(300, -300)).norm();
@@ -193,9 +195,10 @@ TEST(AnyTask, MeasureStaysAndReports) {
   for (const char* plant : kPlants) {
     SCOPED_TRACE(plant);
     const FlightLog log = fly_task(plant, "measure -200,300 stay 30", 220);
-    ASSERT_TRUE(says(log, "measured")) << log.story();
-    EXPECT_TRUE(says(log, "task-done"));
-    EXPECT_NE(log.find("measured")->text.find("fire readings inside"), std::string::npos);
+    ASSERT_TRUE(says(log, EventKind::kMeasured)) << log.story();
+    EXPECT_TRUE(says(log, EventKind::kTaskDone));
+    EXPECT_NE(log.find(EventKind::kMeasured)->text.find("fire readings inside"),
+              std::string::npos);
   }
 }
 
@@ -203,10 +206,11 @@ TEST(AnyTask, RendezvousArrivesInTime) {
   for (const char* plant : kPlants) {
     SCOPED_TRACE(plant);
     const FlightLog log = fly_task(plant, "rendezvous 500,200 time 150", 220);
-    ASSERT_TRUE(says(log, "arrived")) << log.story();
+    ASSERT_TRUE(says(log, EventKind::kArrived)) << log.story();
     EXPECT_LT(nearest(log, {500, 200}, 148, 152), 45) << log.story();
     // Nobody flies 500 m in ten seconds.
-    EXPECT_TRUE(says(fly_task(plant, "rendezvous 500,200 time 40", 60), "late"));
+    EXPECT_TRUE(
+        says(fly_task(plant, "rendezvous 500,200 time 40", 60), EventKind::kLate));
   }
 }
 
@@ -272,7 +276,8 @@ commands:
       }
       EXPECT_LE(std::count_if(log.events.begin(), log.events.end(),
                               [](const Event& e) {
-                                return e.kind == "zone" && e.time.seconds() > 150;
+                                return e.kind == EventKind::kZone &&
+                                       e.time.seconds() > 150;
                               }),
                 0)
           << "it turns away again and again" << log.story();
@@ -310,7 +315,7 @@ TEST(AnyTask, APlanFromAFileIsFlownAsItIs) {
   const auto frame = geo::LocalFrame::at({36.989, -122.0514, 0}).value();
   const FlightPlan plan = exchange::read_plan(file, frame).value();
   const FlightLog log = fly_task(kPlants[0], "plan file " + file, 200);
-  EXPECT_TRUE(says(log, "task-done")) << log.story();
+  EXPECT_TRUE(says(log, EventKind::kTaskDone)) << log.story();
   double worst = 0;
   for (double t = model::start_of(plan); t < model::end_time_of(plan); t += 1) {
     const Vec2 place = geo::horizontal(model::moment_at(plan, t).p_N);
@@ -333,7 +338,7 @@ double worst_height(double climb_acceleration) {
   std::ofstream(file)
       << exchange::to_text(document, exchange::Format::kGeojson, {}).value();
   const FlightLog log = fly_task(kPlants[2], "plan no-any_time file " + file, 130);
-  EXPECT_TRUE(says(log, "task-done")) << log.story();
+  EXPECT_TRUE(says(log, EventKind::kTaskDone)) << log.story();
   const FlightPlan& plan = document.plans.front().plan;
   double worst = 0;
   for (const FlightRow& row : log.rows.at(1)) {
@@ -366,9 +371,9 @@ TEST(AnyTask, ReturnStaysAboveHomeAndLandStands) {
     SCOPED_TRACE(plant);
     const FlightLog down = fly_task(plant, "land -100,100", 300,
                                     "  - {at_s: 270, do: \"task a-1 fly_to 300,0\"}\n");
-    EXPECT_TRUE(says(down, "landed")) << down.story();
-    EXPECT_TRUE(says(down, "task-done")) << down.story();
-    EXPECT_TRUE(says(down, "took-off")) << "for the next task" << down.story();
+    EXPECT_TRUE(says(down, EventKind::kLanded)) << down.story();
+    EXPECT_TRUE(says(down, EventKind::kTaskDone)) << down.story();
+    EXPECT_TRUE(says(down, EventKind::kTookOff)) << "for the next task" << down.story();
   }
 }
 
@@ -379,9 +384,9 @@ TEST(AnyTask, IsPausedResumedCancelledAndHandedOver) {
         plant, "survey 100,100 500,100 500,500 100,500 swath 100 overlap 0.1", 1100,
         "  - {at_s: 100, do: \"task a-1 pause\"}\n"
         "  - {at_s: 160, do: \"task a-1 resume\"}\n");
-    EXPECT_TRUE(says(log, "task-paused")) << log.story();
-    EXPECT_TRUE(says(log, "task-resumed"));
-    EXPECT_TRUE(says(log, "task-done")) << log.story();
+    EXPECT_TRUE(says(log, EventKind::kTaskPaused)) << log.story();
+    EXPECT_TRUE(says(log, EventKind::kTaskResumed));
+    EXPECT_TRUE(says(log, EventKind::kTaskDone)) << log.story();
     for (double north = 105; north < 500; north += 10)
       for (double east = 105; east < 500; east += 10)
         ASSERT_LT(nearest(log, {north, east}, 30, 1100), 51) << north << " " << east;
@@ -423,8 +428,8 @@ TEST(AnyTask, IsFlownHigherAndFasterWhenTheOperatorSaysSo) {
           plant, task, 260,
           fmt::format("  - {{at_s: 120, do: \"flight a-1 height 140 speed {}\"}}\n",
                       speed));
-      EXPECT_TRUE(says(log, "flight-changed")) << log.story();
-      EXPECT_FALSE(says(log, "task-refused")) << log.story();
+      EXPECT_TRUE(says(log, EventKind::kFlightChanged)) << log.story();
+      EXPECT_FALSE(says(log, EventKind::kTaskRefused)) << log.story();
       EXPECT_NEAR(mean_height(log, 90, 118), 85, 9) << log.story();
       EXPECT_NEAR(mean_height(log, 200, 260), 140, 9) << log.story();
       EXPECT_GT(std::abs(mean_speed(log, hovers, 90, 118) - speed), 0.8);
@@ -437,9 +442,9 @@ TEST(AnyTask, SpeedsThatAreNotFlownAreRefused) {
   const FlightLog log = fly_task(kPlants[2], "hold", 100,
                                  "  - {at_s: 50, do: \"flight a-1 speed 200\"}\n"
                                  "  - {at_s: 60, do: \"flight nobody height 30\"}\n");
-  EXPECT_TRUE(says(log, "flight-refused")) << log.story();
-  EXPECT_TRUE(says(log, "command-refused")) << log.story();
-  EXPECT_FALSE(says(log, "flight-changed")) << log.story();
+  EXPECT_TRUE(says(log, EventKind::kFlightRefused)) << log.story();
+  EXPECT_TRUE(says(log, EventKind::kCommandRefused)) << log.story();
+  EXPECT_FALSE(says(log, EventKind::kFlightChanged)) << log.story();
 }
 
 TEST(AnyTask, ThatAnotherHasBegunIsFinishedNotRepeated) {
@@ -486,7 +491,7 @@ aircraft: [{name: a, agent: scout}]
 commands:
   - {at_s: 5, do: '{"kind": "task", "aircraft": "a-1", "what": {"kind": "follow_leader", "leader_id": 1}}'}
 )");
-  ASSERT_NE(log.find("task-refused"), nullptr) << log.story();
+  ASSERT_NE(log.find(EventKind::kTaskRefused), nullptr) << log.story();
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ bool reported(const FlightLog& log, FailsafeTrigger trigger) {
 
 // How a reaction ends: where it should, and whole.
 void expect_end(const FlightLog& log, FailsafeReaction reaction, bool quad) {
-  EXPECT_EQ(log.find("accident"), nullptr) << log.story();
+  EXPECT_EQ(log.find(EventKind::kAccident), nullptr) << log.story();
   const FlightRow& end = log.rows.at(1).back();
   if (reaction == FailsafeReaction::kReturn) {
     EXPECT_FALSE(end.truth.on_ground);
@@ -146,7 +146,7 @@ TEST(Failsafe, WaitsForThePilotAndActsWhenHeHandsBack) {
         if (quad && trouble.name == "motor" && mode == std::string("manual")) continue;
         const FailsafeReaction reaction = quad ? trouble.quad : trouble.wing;
         const FlightLog log = fly_into(trouble, plant, mode, 250);
-        const Event* taken = log.find("mode", mode);
+        const Event* taken = log.find(EventKind::kMode, mode);
         ASSERT_NE(taken, nullptr) << log.story();
         EXPECT_NEAR(taken->time.seconds(), kTakesOver + kStep, 1e-9);
         const double at = since(log, reaction);
@@ -165,10 +165,10 @@ TEST(Failsafe, WaitsForThePilotAndActsWhenHeHandsBack) {
 TEST(Failsafe, AQuadrotorWithoutPowerFallsAndTheRunGoesOn) {
   const Trouble dead{"battery", "{kind: battery, at_s: 20}", "", 0.8, {}, {}};
   const FlightLog log = fly_into(dead, kQuad, "guided", 60);
-  const Event* accident = log.find("accident");
+  const Event* accident = log.find(EventKind::kAccident);
   ASSERT_NE(accident, nullptr);
   EXPECT_LT(accident->time.seconds(), 30);
-  EXPECT_NE(log.find("left"), nullptr);
+  EXPECT_NE(log.find(EventKind::kLeft), nullptr);
 }
 
 TEST(Failsafe, AGliderWithoutPowerGlidesDown) {
@@ -240,7 +240,7 @@ TEST(Failsafe, ThePilotTakesOverFromAFailsafeAndHandsBackToIt) {
     const FlightLog log = fly_into(link, plant, "stabilized", 250);
     const double at = since(log, FailsafeReaction::kReturn);
     EXPECT_LE(at, 13 + kStep);
-    const Event* taken = log.find("mode", "stabilized");
+    const Event* taken = log.find(EventKind::kMode, "stabilized");
     ASSERT_NE(taken, nullptr);
     EXPECT_NEAR(taken->time.seconds(), kTakesOver + kStep, 1e-9);
     for (const FlightRow& row : log.rows.at(1)) {

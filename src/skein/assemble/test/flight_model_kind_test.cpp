@@ -201,7 +201,7 @@ struct OutsideLog final : Recorder {
     if (const auto* report = std::get_if<VehicleReportRecord>(&record))
       reports.push_back(*report);
     if (const auto* event = std::get_if<Event>(&record))
-      if (event->kind.starts_with("flight-model")) events.push_back(event->kind);
+      if (event->kind.name().starts_with("flight-model")) events.push_back(event->kind);
   }
   Result<void> step_done(Time now) override {
     if (program)
@@ -210,7 +210,7 @@ struct OutsideLog final : Recorder {
   }
   StandInFlightGear* program = nullptr;
   std::vector<VehicleReportRecord> reports;
-  std::vector<std::string> events;
+  std::vector<EventLabel> events;
 };
 
 struct QuietDesk final : OperatorConsole {
@@ -240,9 +240,9 @@ TEST(FlightModelKind, FliesAnOutsidePlantAndDoesTheRunAgainWithoutIt) {
   OutsideLog log;
   log.program = &program;
   const record::RunSummary flown = fly(built.value(), log);
-  EXPECT_EQ(log.events,
-            (std::vector<std::string>{"flight-model-heard", "flight-model-silent",
-                                      "flight-model-back"}));
+  EXPECT_EQ(log.events, (std::vector<EventLabel>{EventKind::kFlightModelHeard,
+                                                 EventKind::kFlightModelSilent,
+                                                 EventKind::kFlightModelBack}));
   double off = 0, high = 0, north = 0;
   int motions = 0;
   for (const VehicleReportRecord& each : log.reports)

@@ -99,7 +99,7 @@ Keeping keep_to_path(const Setting& setting) {
   AutopilotCommand command{FollowPath{path}, kHeight, {}};
   const FlightLog log = fly(scenario_of(setting), {{{command}}});
   Keeping keeping;
-  keeping.accident = log.find("accident") != nullptr;
+  keeping.accident = log.find(EventKind::kAccident) != nullptr;
   model::PathCursor cursor;
   cursor.assign(path);
   double along = 0;
@@ -178,7 +178,7 @@ Hovering hover(const Setting& setting) {
   AutopilotCommand command{HoldPosition{{0, 0}}, kHeight, {}};
   const FlightLog log = fly(scenario_of(setting), {{{command}}});
   Hovering hovering;
-  hovering.accident = log.find("accident") != nullptr;
+  hovering.accident = log.find(EventKind::kAccident) != nullptr;
   const Vec3 place(0, 0, -kHeight);
   for (const FlightRow& row : log.rows.at(1)) {
     if (row.time.seconds() < 20) continue;  // it starts level, drifting off in the wind
@@ -237,8 +237,8 @@ TEST(WholeAircraft, FlyFromGroundToGround) {
         const FlightRow& last = log.rows.at(1).back();
         double top = 0;
         for (const FlightRow& row : log.rows.at(1)) top = std::max(top, row.altitude());
-        EXPECT_EQ(log.find("accident"), nullptr) << log.story();
-        EXPECT_EQ(log.find("refused"), nullptr) << log.story();
+        EXPECT_EQ(log.find(EventKind::kAccident), nullptr) << log.story();
+        EXPECT_EQ(log.find(EventKind::kRefused), nullptr) << log.story();
         EXPECT_GT(top, 95);
         EXPECT_TRUE(last.truth.on_ground) << log.story();
         EXPECT_LT(last.truth.v_N.norm(), 0.1);

@@ -44,8 +44,8 @@ std::string crowd() {
 
 TEST(WholeFleet, GivesTheSameBytesWithAnyNumberOfThreadsAndOfStepsAtOnce) {
   const FlightLog one = fly(crowd());
-  EXPECT_NE(one.find("failure"), nullptr);
-  EXPECT_NE(one.find("failsafe"), nullptr);
+  EXPECT_NE(one.find(EventKind::kFailure), nullptr);
+  EXPECT_NE(one.find(EventKind::kFailsafe), nullptr);
   for (const int threads : {2, 4})
     EXPECT_EQ(fly(crowd(), {{}, threads}).hash(), one.hash()) << threads;
   EXPECT_EQ(fly(crowd(), {{}, 2, 7}).hash(), one.hash());
@@ -91,7 +91,7 @@ TEST(WholeFormation, FollowersKeepTheirSlotsAndTheLeaderIsSwapped) {
   for (const std::string& text : {station, direct}) {
     SCOPED_TRACE(text == direct ? "direct" : "through the station");
     const FlightLog log = fly(text);
-    EXPECT_EQ(log.find("accident"), nullptr) << log.story();
+    EXPECT_EQ(log.find(EventKind::kAccident), nullptr) << log.story();
     const double a = off_slot(log, 1, 2, left, 100, 300),
                  b = off_slot(log, 1, 3, right, 100, 300);
     const double c = off_slot(log, 2, 1, left, 400, 600),
@@ -103,7 +103,7 @@ TEST(WholeFormation, FollowersKeepTheirSlotsAndTheLeaderIsSwapped) {
     // Plans that cannot be flown are exceptions: the leader in a gust of its own.
     const auto refused =
         std::count_if(log.events.begin(), log.events.end(),
-                      [](const Event& e) { return e.kind == "refused"; });
+                      [](const Event& e) { return e.kind == EventKind::kRefused; });
     EXPECT_LE(refused, 5) << log.story();
   }
 }

@@ -43,10 +43,11 @@ TEST(WholeRoute, LeadsFromGroundToGround) {
   for (const auto& [plant, off] : cases) {
     SCOPED_TRACE(plant);
     const FlightLog log = fly(scenario_of(plant, kRoute));
-    for (const char* kind : {"took-off", "route-done", "landed"})
-      EXPECT_NE(log.find(kind), nullptr) << kind << "\n" << log.story();
-    EXPECT_EQ(log.find("accident"), nullptr) << log.story();
-    EXPECT_EQ(log.find("refused"), nullptr) << log.story();
+    for (const EventKind kind :
+         {EventKind::kTookOff, EventKind::kRouteDone, EventKind::kLanded})
+      EXPECT_NE(log.find(kind), nullptr) << row_of(kind).name << "\n" << log.story();
+    EXPECT_EQ(log.find(EventKind::kAccident), nullptr) << log.story();
+    EXPECT_EQ(log.find(EventKind::kRefused), nullptr) << log.story();
     const FlightRow& last = log.rows.at(1).back();
     EXPECT_TRUE(last.truth.on_ground);
     EXPECT_TRUE(last.status.on_ground);
@@ -75,7 +76,7 @@ aircraft:
 )",
                                           aircraft),
                               {{{command}}});
-    ASSERT_NE(log.find("accident"), nullptr) << log.story();
+    ASSERT_NE(log.find(EventKind::kAccident), nullptr) << log.story();
     const FlightRow& last = log.rows.at(1).back();
     EXPECT_LT(last.altitude(), 90) << "on the flank, not on top";
   }
@@ -85,8 +86,8 @@ TEST(WholeRoute, AScoutAndAWingmanTakeOffToo) {
   for (const char* agent : {"scout", "wingman"}) {
     SCOPED_TRACE(agent);
     const FlightLog log = fly(scenario_of("{kind: fixed-wing, aircraft: bixler}", agent));
-    EXPECT_NE(log.find("took-off"), nullptr) << log.story();
-    EXPECT_EQ(log.find("landed"), nullptr) << log.story();
+    EXPECT_NE(log.find(EventKind::kTookOff), nullptr) << log.story();
+    EXPECT_EQ(log.find(EventKind::kLanded), nullptr) << log.story();
     EXPECT_GT(log.rows.at(1).back().altitude(), 45);
   }
 }

@@ -83,7 +83,7 @@ TEST(MemoryFlight, EachClassSeesItsWorld) {
       log.figure("memory_observations") + log.figure("memory_late"),
       static_cast<double>(found(log, kScout, 0).size() + found(log, kJoint, 0).size()));
   int refusals = 0;
-  for (const Event& each : log.events) refusals += each.kind == "update-refused";
+  for (const Event& each : log.events) refusals += each.kind == EventKind::kUpdateRefused;
   EXPECT_EQ(refusals, 1);
 }
 

@@ -64,16 +64,16 @@ double seen(const FlightLog& log, const Vec2& low, const Vec2& high, double reac
   return sum / all;
 }
 
-std::ptrdiff_t count(const FlightLog& log, const std::string& kind) {
+std::ptrdiff_t count(const FlightLog& log, EventKind kind) {
   return std::count_if(log.events.begin(), log.events.end(),
                        [&](const Event& e) { return e.kind == kind; });
 }
 
 TEST(MissionFlight, SearchAndRescueSeesTheAreaAndStaysWithWhoIsFound) {
   const FlightLog log = fly(shipped("search-and-rescue.yaml"));
-  EXPECT_EQ(count(log, "object-found"), 2) << log.story();
-  EXPECT_EQ(count(log, "object-lost"), 0) << log.story();
-  EXPECT_NE(log.find("surveyed"), nullptr) << log.story();
+  EXPECT_EQ(count(log, EventKind::kObjectFound), 2) << log.story();
+  EXPECT_EQ(count(log, EventKind::kObjectLost), 0) << log.story();
+  EXPECT_NE(log.find(EventKind::kSurveyed), nullptr) << log.story();
   // Half a swath to either side, but for the zone with what turns beside it need.
   const Vec2 masts(500, 500);
   EXPECT_EQ(seen(log, {0, 0}, {2000, 2000}, 76,
@@ -141,7 +141,7 @@ missions:
   - {{kind: survey, area_m: [[-400, -400], [500, -400], [500, 500], [-400, 500]], swath_m: 180}}
 )",
                                             500 + k, speed, from, aircraft));
-      const Event* seen = log.find("object-found");
+      const Event* seen = log.find(EventKind::kObjectFound);
       if (!seen || seen->time.seconds() > 500) continue;  // it ran away in time
       ++watched;
       EXPECT_GT(log.figure("mission_track_in_view_worst"), 0.95) << log.story();
@@ -159,8 +159,9 @@ TEST(MissionFlight, TwoFiresAreKnownByTheirOwnMissions) {
 
 TEST(MissionFlight, TwoMissionsShareAircraftThroughALossAndAZone) {
   const FlightLog log = fly(shipped("two-missions.yaml"));
-  EXPECT_NE(log.find("surveyed"), nullptr) << log.story();
-  EXPECT_NE(log.find("shared"), nullptr) << "what the lost one has left" << log.story();
+  EXPECT_NE(log.find(EventKind::kSurveyed), nullptr) << log.story();
+  EXPECT_NE(log.find(EventKind::kShared), nullptr)
+      << "what the lost one has left" << log.story();
   const Vec2 helicopter(-1700, 600);
   EXPECT_EQ(seen(log, {-2200, 0}, {-1200, 1200}, 61,
                  [&](const Vec2& p) { return (p - helicopter).norm() > 180 + 35 + 150; }),
@@ -171,22 +172,23 @@ TEST(MissionFlight, TwoMissionsShareAircraftThroughALossAndAZone) {
         ASSERT_GT((geo::horizontal(row.truth.p_N) - helicopter).norm(), 180)
             << row.time.seconds();
       }
-  EXPECT_NE(log.find("allocation"), nullptr);
+  EXPECT_NE(log.find(EventKind::kAllocation), nullptr);
 }
 
 TEST(MissionFlight, TheListOfTasksIsFlownByEachKindOfAircraft) {
   const FlightLog log = fly(shipped("tasks.yaml"));
-  EXPECT_EQ(log.find("task-refused"), nullptr) << log.story();
-  EXPECT_EQ(log.find("task-impossible"), nullptr) << log.story();
-  EXPECT_EQ(log.find("command-refused"), nullptr) << log.story();
-  EXPECT_EQ(count(log, "task-over"), 11) << log.story();
+  EXPECT_EQ(log.find(EventKind::kTaskRefused), nullptr) << log.story();
+  EXPECT_EQ(log.find(EventKind::kTaskImpossible), nullptr) << log.story();
+  EXPECT_EQ(log.find(EventKind::kCommandRefused), nullptr) << log.story();
+  EXPECT_EQ(count(log, EventKind::kTaskOver), 11) << log.story();
   for (const char* kind :
        {"fly_to", "survey", "measure", "fly_route", "fly_tour", "patrol", "orbit",
         "rendezvous", "follow_line", "fly_plan", "follow_edge", "follow_leader", "relay",
         "hold", "fly_course", "loiter", "land", "return"})
-    EXPECT_TRUE(std::any_of(
-        log.events.begin(), log.events.end(),
-        [&](const Event& e) { return e.kind == "task" && e.text.ends_with(kind); }))
+    EXPECT_TRUE(std::any_of(log.events.begin(), log.events.end(),
+                            [&](const Event& e) {
+                              return e.kind == EventKind::kTask && e.text.ends_with(kind);
+                            }))
         << kind << log.story();
 }
 

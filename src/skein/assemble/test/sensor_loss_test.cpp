@@ -50,8 +50,7 @@ aircraft:
 }
 
 // The first event of that kind whose text begins with the sensor's name.
-const Event* reported(const FlightLog& log, const std::string& kind,
-                      const std::string& sensor) {
+const Event* reported(const FlightLog& log, EventKind kind, const std::string& sensor) {
   for (const Event& event : log.events)
     if (event.kind == kind && event.text.starts_with(sensor)) return &event;
   return nullptr;
@@ -80,13 +79,13 @@ TEST(SensorLoss, OfWhatCanBeDoneWithoutIsReportedAndFlownWithout) {
     SCOPED_TRACE(fmt::format("{} without {} from {:.1f} s on, wind {:.1f} from {:.0f}",
                              c.plant, c.sensor, c.at, c.wind, c.from));
     const FlightLog log = flown(c);
-    const Event* lost = reported(log, "sensor-lost", c.sensor);
+    const Event* lost = reported(log, EventKind::kSensorLost, c.sensor);
     ASSERT_NE(lost, nullptr) << log.story();
     EXPECT_GT(lost->text.size(), std::string(c.sensor).size() + 2) << "what is done";
     // Patience: 1 s, and 3 s for the slow battery monitor, and one of its periods.
     EXPECT_NEAR(lost->time.seconds(), c.at, 6);
-    EXPECT_EQ(log.find("accident"), nullptr) << log.story();
-    EXPECT_EQ(log.find("failsafe"), nullptr) << log.story();
+    EXPECT_EQ(log.find(EventKind::kAccident), nullptr) << log.story();
+    EXPECT_EQ(log.find(EventKind::kFailsafe), nullptr) << log.story();
     // A single receiver's height is 8 m wrong, one in 300 times three times as much.
     EXPECT_LT(height_off(log, c.at), 25);
   }
@@ -102,8 +101,8 @@ TEST(SensorLoss, OfTheOnlyInertialUnitEndsTheFlightAsDefined) {
     c.seed = trial;
     const FlightLog log = flown(c);
     SCOPED_TRACE(log.story());
-    const Event* lost = reported(log, "sensor-lost", "imu");
-    const Event* failsafe = log.find("failsafe", "imu: descend");
+    const Event* lost = reported(log, EventKind::kSensorLost, "imu");
+    const Event* failsafe = log.find(EventKind::kFailsafe, "imu: descend");
     ASSERT_NE(lost, nullptr);
     ASSERT_NE(failsafe, nullptr);
     EXPECT_NEAR(failsafe->time.seconds(), c.at, 0.5);
@@ -128,8 +127,8 @@ TEST(SensorLoss, OfAnInertialUnitForAWhileIsSurvivedByAnAircraftThatGlides) {
     c.seed = trial;
     const FlightLog log = flown(c);
     SCOPED_TRACE(log.story());
-    EXPECT_EQ(log.find("accident"), nullptr);
-    EXPECT_NE(reported(log, "sensor-back", "imu"), nullptr);
+    EXPECT_EQ(log.find(EventKind::kAccident), nullptr);
+    EXPECT_NE(reported(log, EventKind::kSensorBack, "imu"), nullptr);
     const FlightRow& last = log.rows.at(1).back();
     EXPECT_NEAR(last.altitude(), 100, 25);
   }
@@ -153,10 +152,10 @@ TEST(SensorLoss, IsNoLossWhereASpareIsFitted) {
     c.seed = trial;
     const FlightLog log = flown(c);
     SCOPED_TRACE(std::string(c.sensor) + "\n" + log.story());
-    EXPECT_NE(reported(log, "sensor-switched", c.sensor), nullptr);
-    EXPECT_EQ(reported(log, "sensor-lost", c.sensor), nullptr);
-    EXPECT_EQ(log.find("accident"), nullptr);
-    EXPECT_EQ(log.find("failsafe"), nullptr);
+    EXPECT_NE(reported(log, EventKind::kSensorSwitched, c.sensor), nullptr);
+    EXPECT_EQ(reported(log, EventKind::kSensorLost, c.sensor), nullptr);
+    EXPECT_EQ(log.find(EventKind::kAccident), nullptr);
+    EXPECT_EQ(log.find(EventKind::kFailsafe), nullptr);
     EXPECT_LT(height_off(log, c.at), 25);
   }
 }

@@ -62,7 +62,8 @@ class Walk {
     AgentOutput out;
     agent_.step(in, out);
     inbox_.clear();
-    for (const Event& event : out.events) last_ = event.kind + ": " + event.text;
+    for (const Event& event : out.events)
+      last_ = std::string(event.kind.name()) + ": " + event.text;
     check(out);
     if (out.command) take(*out.command);
     for (int k = 0; k < 10; ++k) aircraft_.step(0.05);

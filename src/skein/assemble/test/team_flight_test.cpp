@@ -51,15 +51,15 @@ missions:
 }
 
 // Numbers of the team's tasks that were done, and how often.
-std::map<std::string, int> tasks_done(const FlightLog& log) {
-  std::map<std::string, int> done;
+std::map<std::uint32_t, int> tasks_done(const FlightLog& log) {
+  std::map<std::uint32_t, int> done;
   for (const Event& event : log.events)
-    if (event.kind == "task-done" && event.text.starts_with("team task"))
-      ++done[event.text.substr(0, event.text.find(':'))];
+    if (event.kind == EventKind::kTaskDone && event.numbers.team_task)
+      ++done[*event.numbers.team_task];
   return done;
 }
 
-std::set<std::uint32_t> who(const FlightLog& log, const std::string& kind) {
+std::set<std::uint32_t> who(const FlightLog& log, EventKind kind) {
   std::set<std::uint32_t> ids;
   for (const Event& event : log.events)
     if (event.kind == kind) ids.insert(event.entity.value);
@@ -69,9 +69,10 @@ std::set<std::uint32_t> who(const FlightLog& log, const std::string& kind) {
 TEST(TeamFlight, FindsItsLeaderAndSharesTheTasksOut) {
   const FlightLog log = fly(three("master"));
   EXPECT_EQ(tasks_done(log).size(), 3u) << log.story();
-  EXPECT_EQ(who(log, "team-task").size(), 3u) << log.story();
-  EXPECT_EQ(who(log, "team-selected"), (std::set<std::uint32_t>{0, 1})) << log.story();
-  EXPECT_NE(log.find("mission", "three is over"), nullptr) << log.story();
+  EXPECT_EQ(who(log, EventKind::kTeamTask).size(), 3u) << log.story();
+  EXPECT_EQ(who(log, EventKind::kTeamSelected), (std::set<std::uint32_t>{0, 1}))
+      << log.story();
+  EXPECT_NE(log.find(EventKind::kMission, "three is over"), nullptr) << log.story();
   EXPECT_EQ(log.figure("team_masters"), 2);
   EXPECT_EQ(log.figure("team_double_max_s"), 0) << log.story();
 }
@@ -95,13 +96,14 @@ TEST(TeamFlight, IsTheSameAgainWithAnyNumberOfThreads) {
 TEST(TeamFlight, TheStationLeadsWhereTheScenarioSaysSo) {
   const FlightLog log = fly(three("fixed-master"));
   EXPECT_EQ(tasks_done(log).size(), 3u) << log.story();
-  EXPECT_EQ(who(log, "team-selected"), std::set<std::uint32_t>{0}) << log.story();
+  EXPECT_EQ(who(log, EventKind::kTeamSelected), std::set<std::uint32_t>{0})
+      << log.story();
 }
 
 TEST(TeamFlight, WithoutAMasterTheHighestBidWins) {
   const FlightLog log = fly(three("auction"));
   EXPECT_EQ(tasks_done(log).size(), 3u) << log.story();
-  EXPECT_TRUE(who(log, "team-selected").empty()) << log.story();
+  EXPECT_TRUE(who(log, EventKind::kTeamSelected).empty()) << log.story();
 }
 
 TEST(TeamFlight, AllTasksAreDoneAlthoughTheMasterIsLostAndMembersComeAndGo) {
@@ -113,9 +115,9 @@ TEST(TeamFlight, AllTasksAreDoneAlthoughTheMasterIsLostAndMembersComeAndGo) {
   for (const auto& [task, times] : done) again += times - 1;
   EXPECT_LE(again, 1) << log.story();
   EXPECT_GE(log.figure("team_masters"), 3) << log.story();
-  EXPECT_NE(log.find("mission", "valley is over"), nullptr) << log.story();
+  EXPECT_NE(log.find(EventKind::kMission, "valley is over"), nullptr) << log.story();
   // Scout 1 crashes, scout 3 lands; who comes later flies tasks.
-  const auto flew = who(log, "team-task");
+  const auto flew = who(log, EventKind::kTeamTask);
   EXPECT_TRUE(flew.contains(4)) << log.story();
   EXPECT_TRUE(flew.contains(5)) << log.story();
 }
@@ -137,14 +139,13 @@ TEST(TeamFlight, AnOrderOfTheOperatorGoesBeforeTheTeams) {
   - {at_s: 30, do: "task scout-2 measure -500,0 stay 20"}
 )"));
   EXPECT_EQ(tasks_done(log).size(), 3u) << log.story();
-  const Event* own = log.find("task-done", "task 1: measure");
+  const Event* own = log.find(EventKind::kTaskDone, "task 1: measure");
   ASSERT_NE(own, nullptr) << log.story();
   EXPECT_EQ(own->entity.value, 2u);
 }
 
 // The first event of that kind whose text holds `part`.
-const Event* with_text(const FlightLog& log, std::string_view kind,
-                       std::string_view part) {
+const Event* with_text(const FlightLog& log, EventKind kind, std::string_view part) {
   for (const Event& event : log.events)
     if (event.kind == kind && event.text.find(part) != std::string::npos) return &event;
   return nullptr;
@@ -161,22 +162,26 @@ TEST(TeamFlight, WhatNeedsApprovalIsFlownWhenTheOperatorSaysSo) {
   const FlightLog log = fly(three("master, approval: true", commands));
   EXPECT_EQ(tasks_done(log).size(), 3u) << log.story();
   const Event* proposed =
-      with_text(log, "allocation-proposed", "1 of scout-1: scout-1 flies ");
+      with_text(log, EventKind::kAllocationProposed, "1 of scout-1: scout-1 flies ");
   ASSERT_NE(proposed, nullptr) << log.story();
   EXPECT_EQ(proposed->entity.value, 0u) << "the station says so";
   for (const Event& event : log.events)
-    if (event.kind == "team-task") {
+    if (event.kind == EventKind::kTeamTask) {
       EXPECT_GE(event.time.seconds(), 100) << log.story();
     }
-  EXPECT_NE(with_text(log, "allocation-over", "1 of scout-1 is in force"), nullptr)
-      << log.story();
-  EXPECT_NE(with_text(log, "command-refused", "allocation of station: none waits"),
+  EXPECT_NE(with_text(log, EventKind::kAllocationOver, "1 of scout-1 is in force"),
             nullptr)
       << log.story();
-  EXPECT_NE(with_text(log, "command-refused", "allocation of station: 99 does not wait"),
+  EXPECT_NE(
+      with_text(log, EventKind::kCommandRefused, "allocation of station: none waits"),
+      nullptr)
+      << log.story();
+  EXPECT_NE(with_text(log, EventKind::kCommandRefused,
+                      "allocation of station: 99 does not wait"),
             nullptr)
       << log.story();
-  EXPECT_NE(with_text(log, "command-refused", "there is no station \"nobody\""), nullptr)
+  EXPECT_NE(with_text(log, EventKind::kCommandRefused, "there is no station \"nobody\""),
+            nullptr)
       << log.story();
   EXPECT_GE(log.figure("team_allocations_approved"), 1);
 }
@@ -186,7 +191,7 @@ TEST(TeamFlight, WhereNothingNeedsApprovalADecisionIsRefused) {
   - {at_s: 60, do: "allocation approve"}
 )";
   const FlightLog free = fly(three("master", commands));
-  EXPECT_NE(with_text(free, "command-refused",
+  EXPECT_NE(with_text(free, EventKind::kCommandRefused,
                       "allocation of station: allocations of this team need no approval"),
             nullptr)
       << free.story();
@@ -197,9 +202,8 @@ TEST(TeamFlight, WhereNothingNeedsApprovalADecisionIsRefused) {
 std::map<std::uint32_t, Time> times_done(const FlightLog& log) {
   std::map<std::uint32_t, Time> times;
   for (const Event& event : log.events)
-    if (event.kind == "task-done" && event.text.starts_with("team task "))
-      times.emplace(static_cast<std::uint32_t>(std::stoul(event.text.substr(10))),
-                    event.time);
+    if (event.kind == EventKind::kTaskDone && event.numbers.team_task)
+      times.emplace(*event.numbers.team_task, event.time);
   return times;
 }
 
@@ -220,7 +224,7 @@ TEST(TeamFlight, FliesSequencesAndKeepsTheirOrder) {
   EXPECT_GT(times.at(6), times.at(4)) << log.story();
   EXPECT_GT(times.at(6), times.at(5)) << log.story();
   EXPECT_EQ(log.figure("team_double_max_s"), 0) << log.story();
-  EXPECT_NE(log.find("mission", "three is over"), nullptr) << log.story();
+  EXPECT_NE(log.find(EventKind::kMission, "three is over"), nullptr) << log.story();
 }
 
 TEST(TeamFlight, TasksComeAfterOthersThatThereAre) {
@@ -241,11 +245,13 @@ commands:
   ASSERT_TRUE(times.contains(7) || times.contains(5)) << log.story();
   ASSERT_TRUE(times.contains(8)) << log.story();
   EXPECT_GT(times.at(8), std::max(times.at(2), times.at(3))) << log.story();
-  EXPECT_NE(log.find("team-task-withdrawn", "1: measure"), nullptr) << log.story();
-  EXPECT_NE(log.find("command-refused", "team task of station: there is no task 77."),
-            nullptr)
+  EXPECT_NE(log.find(EventKind::kTeamTaskWithdrawn, "1: measure"), nullptr)
       << log.story();
-  EXPECT_NE(log.find("mission", "three is over"), nullptr) << log.story();
+  EXPECT_NE(
+      log.find(EventKind::kCommandRefused, "team task of station: there is no task 77."),
+      nullptr)
+      << log.story();
+  EXPECT_NE(log.find(EventKind::kMission, "three is over"), nullptr) << log.story();
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ FlightLog head_on(const std::string& avoidance) {
 }
 
 double first_alert(const FlightLog& log) {
-  const Event* alert = log.find("traffic-alert");
+  const Event* alert = log.find(EventKind::kTrafficAlert);
   return alert ? alert->time.seconds() : NAN;
 }
 
@@ -132,7 +132,7 @@ TEST(TrafficFlight, AlertsGoByTheConfigurationOfEachAircraft) {
   // Volumes of manned aircraft are twice as wide, and 35 s longer.
   EXPECT_LT(first_alert(large), first_alert(small) - 15) << small.story();
   for (const Event& event : small.events)
-    if (event.kind == "traffic-alert") {
+    if (event.kind == EventKind::kTrafficAlert) {
       EXPECT_EQ(event.entity, EntityId{1}) << "the other has no sensor";
     }
 

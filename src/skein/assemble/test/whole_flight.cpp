@@ -73,7 +73,7 @@ double FlightLog::figure(const std::string& name) const {
   return found == figures.end() ? NAN : found->second;
 }
 
-const Event* FlightLog::find(const std::string& kind, const std::string& text) const {
+const Event* FlightLog::find(EventKind kind, const std::string& text) const {
   for (const Event& event : events)
     if (event.kind == kind && (text.empty() || event.text == text)) return &event;
   return nullptr;
@@ -83,7 +83,7 @@ std::string FlightLog::story() const {
   std::string all;
   for (const Event& e : events)
     all += std::to_string(e.time.seconds()) + " s, " + std::to_string(e.entity.value) +
-           ": " + e.kind + ": " + e.text + "\n";
+           ": " + std::string(e.kind.name()) + ": " + e.text + "\n";
   return all;
 }
 

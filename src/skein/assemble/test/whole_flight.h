@@ -51,7 +51,7 @@ class FlightLog final : public Recorder {
   /// A number of the summary; NaN when there is none of that name.
   double figure(const std::string& name) const;
   /// The first event of that kind and text (empty: any); null when there is none.
-  const Event* find(const std::string& kind, const std::string& text = "") const;
+  const Event* find(EventKind kind, const std::string& text = "") const;
   /// All events in words, for messages of tests.
   std::string story() const;
 

@@ -55,7 +55,7 @@ double deepest(const FlightLog& log, const Vec2& centre, double radius, double f
   return depth;
 }
 
-const Event* event_of(const FlightLog& log, std::uint32_t who, const std::string& kind) {
+const Event* event_of(const FlightLog& log, std::uint32_t who, EventKind kind) {
   for (const Event& event : log.events)
     if (event.entity.value == who && event.kind == kind) return &event;
   return nullptr;
@@ -63,16 +63,17 @@ const Event* event_of(const FlightLog& log, std::uint32_t who, const std::string
 
 TEST(ZoneFlight, DrawnOverTheRouteItIsFlownAround) {
   const FlightLog log = fly(scenario_of(disc("active: false, switches: [{at_s: 30}]")));
-  const Event* reported = event_of(log, 0, "zone-on");
-  const Event* heard = event_of(log, 1, "zone-on");
+  const Event* reported = event_of(log, 0, EventKind::kZoneOn);
+  const Event* heard = event_of(log, 1, EventKind::kZoneOn);
   ASSERT_TRUE(reported && heard) << log.story();
   EXPECT_EQ(reported->time, Time::from_seconds(kOn));
   // The radio takes 0.1 s, and the agent thinks every 0.5 s.
   EXPECT_LE((heard->time - reported->time).seconds(), 0.5 + 1e-9);
-  EXPECT_NE(log.find("zones-known"), nullptr) << log.story();
+  EXPECT_NE(log.find(EventKind::kZonesKnown), nullptr) << log.story();
   EXPECT_LT(deepest(log, kCentre, kRadius, 0), 0) << log.story();
-  EXPECT_NE(log.find("route-done"), nullptr) << log.story();
-  EXPECT_EQ(log.find("zone", "is inside a no-fly zone"), nullptr) << log.story();
+  EXPECT_NE(log.find(EventKind::kRouteDone), nullptr) << log.story();
+  EXPECT_EQ(log.find(EventKind::kZone, "is inside a no-fly zone"), nullptr)
+      << log.story();
 }
 
 // From the ground, with sensors that err, in gusts; the zone comes onto the route and,
@@ -103,10 +104,12 @@ aircraft:
     start: {{placement: list, positions_m: [[0, 0]], heading_deg: 0, on_ground: true}}
 )",
                                           plant));
-    for (const char* kind : {"took-off", "return-moved", "route-done", "landed"})
-      EXPECT_NE(log.find(kind), nullptr) << kind << "\n" << log.story();
-    for (const char* kind : {"accident", "refused", "no-path"})
-      EXPECT_EQ(log.find(kind), nullptr) << kind << "\n" << log.story();
+    for (const EventKind kind : {EventKind::kTookOff, EventKind::kReturnMoved,
+                                 EventKind::kRouteDone, EventKind::kLanded})
+      EXPECT_NE(log.find(kind), nullptr) << row_of(kind).name << "\n" << log.story();
+    for (const EventKind kind :
+         {EventKind::kAccident, EventKind::kRefused, EventKind::kNoPath})
+      EXPECT_EQ(log.find(kind), nullptr) << row_of(kind).name << "\n" << log.story();
     EXPECT_LT(deepest(log, {500, 10}, 80, 14), 0) << log.story();
     // Away by then, and never back.
     EXPECT_LT(deepest(log, {-10, 0}, 60, 60), 0) << log.story();
@@ -146,8 +149,8 @@ aircraft:
       visits += there && !was;
     }
     EXPECT_EQ(visits, 3) << log.story();
-    ASSERT_NE(log.find("route-done"), nullptr) << log.story();
-    EXPECT_EQ(log.find("route-done")->text, "the last point has been passed");
+    ASSERT_NE(log.find(EventKind::kRouteDone), nullptr) << log.story();
+    EXPECT_EQ(log.find(EventKind::kRouteDone)->text, "the last point has been passed");
     EXPECT_LT(deepest(log, {1500, 0}, 200, 20), 0) << log.story();
   }
 }
@@ -157,13 +160,14 @@ TEST(ZoneFlight, ALastPointInAZoneIsReportedAsLeftOutOnce) {
       fly(scenario_of("{name: goal, centre_m: [1500, 0], radius_m: 200, active: false, "
                       "switches: [{at_s: 20}]}",
                       "", "{kind: route, points_m: [[1500, 0]]}"));
-  EXPECT_EQ(log.find("no-path"), nullptr) << log.story();
-  EXPECT_EQ(std::count_if(log.events.begin(), log.events.end(),
-                          [](const Event& e) { return e.kind == "point-left-out"; }),
-            1)
+  EXPECT_EQ(log.find(EventKind::kNoPath), nullptr) << log.story();
+  EXPECT_EQ(
+      std::count_if(log.events.begin(), log.events.end(),
+                    [](const Event& e) { return e.kind == EventKind::kPointLeftOut; }),
+      1)
       << log.story();
-  ASSERT_NE(log.find("route-done"), nullptr) << log.story();
-  EXPECT_NE(log.find("route-done")->text.find("left out"), std::string::npos)
+  ASSERT_NE(log.find(EventKind::kRouteDone), nullptr) << log.story();
+  EXPECT_NE(log.find(EventKind::kRouteDone)->text.find("left out"), std::string::npos)
       << log.story();
 }
 
@@ -171,7 +175,7 @@ TEST(ZoneFlight, OnOrOffItStaysOutOnlyWhileItIsInForce) {
   // Taken back before the aircraft comes back: it flies straight through.
   const FlightLog log = fly(
       scenario_of(disc("active: false, switches: [{at_s: 30}, {at_s: 110, on: false}]")));
-  ASSERT_NE(event_of(log, 1, "zone-off"), nullptr) << log.story();
+  ASSERT_NE(event_of(log, 1, EventKind::kZoneOff), nullptr) << log.story();
   EXPECT_LT(deepest(log, kCentre, kRadius, 0, 110), 0) << log.story();
   EXPECT_GT(deepest(log, kCentre, kRadius, 110), 50) << log.story();
 }
@@ -181,7 +185,7 @@ TEST(ZoneFlight, FlightsBelowTheFloorOrAboveTheCeilingAreNotConcerned) {
   for (const char* limits : {"floor_msl_m: 130", "ceiling_msl_m: 70", "from_s: 399"}) {
     const FlightLog log = fly(scenario_of(
         disc(fmt::format("active: false, switches: [{{at_s: 30}}], {}", limits))));
-    ASSERT_NE(event_of(log, 1, "zone-on"), nullptr) << log.story();
+    ASSERT_NE(event_of(log, 1, EventKind::kZoneOn), nullptr) << log.story();
     const auto &rows = log.rows.at(1), &others = free.rows.at(1);
     ASSERT_EQ(rows.size(), others.size());
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -198,7 +202,8 @@ TEST(ZoneFlight, AZoneThatComesOverAnAircraftIsLeftByTheShortestPath) {
         "{name: above, centre_m: [600, 60], radius_m: 900, active: false, switches: "
         "[{at_s: 30}]}",
         "", agent));
-    EXPECT_NE(log.find("zone", "is inside a no-fly zone"), nullptr) << log.story();
+    EXPECT_NE(log.find(EventKind::kZone, "is inside a no-fly zone"), nullptr)
+        << log.story();
     // At 20 m/s in 4 m/s of wind, 960 m at most after a turn of 60 m.
     EXPECT_LT(deepest(log, {600, 60}, 900, 30 + 75), 0) << log.story();
   }
@@ -215,10 +220,10 @@ TEST(ZoneFlight, AFailsafeDoesNotReturnIntoAZoneThatLiesOverHome) {
       "{name: home, ring_m: [[-300, -300], [300, -300], [300, 300], [-300, 300]], "
       "active: false, switches: [{at_s: 40}]}";
   const FlightLog log = fly(scenario_of(zone, "", route + kSkein));
-  const Event* moved = log.find("return-moved");
+  const Event* moved = log.find(EventKind::kReturnMoved);
   ASSERT_NE(moved, nullptr) << log.story();
   EXPECT_LE(moved->time.seconds(), 41);
-  ASSERT_NE(log.find("failsafe", "link: return"), nullptr) << log.story();
+  ASSERT_NE(log.find(EventKind::kFailsafe, "link: return"), nullptr) << log.story();
   double nearest = 1e9;
   for (const FlightRow& row : log.rows.at(1)) {
     if (row.time.seconds() < 60) continue;
@@ -237,7 +242,7 @@ TEST(ZoneFlight, AFailsafeReturnsAroundAZoneOnTheRouteHome) {
       "{name: between, ring_m: [[300, -500], [800, -500], [800, 500], [300, 500]], "
       "active: false, switches: [{at_s: 55}]}";
   const FlightLog log = fly(scenario_of(zone, "", route + kSkein));
-  ASSERT_NE(log.find("failsafe", "link: return"), nullptr) << log.story();
+  ASSERT_NE(log.find(EventKind::kFailsafe, "link: return"), nullptr) << log.story();
   double deepest_in = -1e9;
   for (const FlightRow& row : log.rows.at(1)) {
     if (row.time.seconds() < 60) continue;
@@ -253,8 +258,8 @@ TEST(ZoneFlight, AFailsafeReturnsAroundAZoneOnTheRouteHome) {
 TEST(ZoneFlight, LostMessagesAreSentAgainUntilAllKnow) {
   const FlightLog log = fly(scenario_of(disc("active: false, switches: [{at_s: 20}]"),
                                         "radio: {kind: ideal, loss: 0.7}"));
-  EXPECT_NE(event_of(log, 1, "zone-on"), nullptr) << log.story();
-  EXPECT_NE(log.find("zones-known"), nullptr) << log.story();
+  EXPECT_NE(event_of(log, 1, EventKind::kZoneOn), nullptr) << log.story();
+  EXPECT_NE(log.find(EventKind::kZonesKnown), nullptr) << log.story();
 }
 
 TEST(ZoneFlight, IsTheSameForAnyNumberOfThreads) {
@@ -280,7 +285,7 @@ aircraft:
   - {name: b, count: 10, agent: scout}
 )",
         how);
-    EXPECT_NE(log.find("zone-on"), nullptr);
+    EXPECT_NE(log.find(EventKind::kZoneOn), nullptr);
     if (hash.empty()) hash = log.hash();
     EXPECT_EQ(log.hash(), hash) << threads << " threads";
   }

@@ -68,7 +68,7 @@ void FlightWatch::take(const EstimateRecord& estimate) {
 }
 
 void FlightWatch::take(const Event& event) {
-  if (event.entity == aircraft_ && event.kind == "accident") accident_ = true;
+  if (event.entity == aircraft_ && event.kind == EventKind::kAccident) accident_ = true;
 }
 
 void FlightWatch::add_figures(std::map<std::string, double>& figures) const {

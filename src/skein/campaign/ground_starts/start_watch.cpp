@@ -46,7 +46,7 @@ void StartWatch::take(const EstimateRecord& record) {
 }
 
 void StartWatch::take(const Event& event) {
-  if (event.entity == aircraft_ && event.kind == "accident") accident_ = true;
+  if (event.entity == aircraft_ && event.kind == EventKind::kAccident) accident_ = true;
 }
 
 void StartWatch::add_figures(std::map<std::string, double>& figures) const {

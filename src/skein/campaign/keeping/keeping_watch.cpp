@@ -63,7 +63,8 @@ void KeepingWatch::keep_to_route(const NavEstimate& estimate,
 }
 
 void KeepingWatch::take(const Event& event) {
-  if (event.entity == keeping_.aircraft && event.kind == "accident") accident_ = true;
+  if (event.entity == keeping_.aircraft && event.kind == EventKind::kAccident)
+    accident_ = true;
 }
 
 void KeepingWatch::add_figures(std::map<std::string, double>& figures) const {

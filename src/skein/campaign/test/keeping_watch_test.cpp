@@ -67,7 +67,7 @@ TEST(KeepingWatch, DistinguishesTurnsFromStraightsAndWatchesAHover) {
   hovering.record(EstimateRecord{kAircraft, {}, {}});
   EXPECT_NEAR(figures_of(hovering).at("hover_max_m"), 2, 1e-9);
   EXPECT_EQ(figures_of(hovering).at("accident"), 0);
-  hovering.record(Event{Time(), kAircraft, "accident", ""});
+  hovering.record(Event{Time(), kAircraft, EventKind::kAccident, ""});
   EXPECT_EQ(figures_of(hovering).at("accident"), 1);
 }
 

@@ -97,9 +97,9 @@ TEST(FlightWatch, AHoverIsHeldAgainstTheEndOfTheRoute) {
 TEST(FlightWatch, AnAccidentIsALoss) {
   Watched flight;
   flight.fly(1);
-  flight.watch.record(Event{flight.now, EntityId{2}, "accident", ""});
+  flight.watch.record(Event{flight.now, EntityId{2}, EventKind::kAccident, ""});
   EXPECT_EQ(flight.figure("lost"), 0);
-  flight.watch.record(Event{flight.now, kAircraft, "accident", ""});
+  flight.watch.record(Event{flight.now, kAircraft, EventKind::kAccident, ""});
   EXPECT_EQ(flight.figure("lost"), 1);
 }
 

@@ -84,9 +84,9 @@ TEST(StartWatch, TiltFailsafesAndAccidentsAreLosses) {
   EXPECT_EQ(failed.figure("lost_failsafe"), 1);
   Started hit;
   hit.fly(30);
-  hit.watch.record(Event{hit.now, EntityId{2}, "accident", ""});
+  hit.watch.record(Event{hit.now, EntityId{2}, EventKind::kAccident, ""});
   EXPECT_EQ(hit.figure("lost"), 0);
-  hit.watch.record(Event{hit.now, kAircraft, "accident", ""});
+  hit.watch.record(Event{hit.now, kAircraft, EventKind::kAccident, ""});
   EXPECT_EQ(hit.figure("lost_accident"), 1);
 }
 

@@ -44,7 +44,7 @@ template <class T>
 constexpr std::string_view sql_type() {
   if constexpr (std::is_same_v<T, double>)
     return "REAL";
-  else if constexpr (std::is_same_v<T, std::string> || NamedEnum<T>)
+  else if constexpr (std::is_same_v<T, std::string> || NamedEnum<T> || WrittenAsName<T>)
     return "TEXT";
   else
     return "INTEGER";
@@ -168,6 +168,8 @@ void put(const Form& form, const T& value, Sink& sink) {
       sink.put(nullptr);
   } else if constexpr (NamedEnum<T>) {
     sink.put(name_of(value));
+  } else if constexpr (WrittenAsName<T>) {
+    sink.put(value.name());
   } else if constexpr (kIsId<T>) {
     sink.put(std::int64_t{value.value});
   } else if constexpr (std::is_same_v<T, std::string>) {
@@ -291,6 +293,9 @@ void take(const Form& form, T& value, Source& source) {
     const auto found = std::find(names.begin(), names.end(), word);
     source.check(found != names.end(), "a word that is known");
     if (found != names.end()) value = static_cast<T>(found - names.begin());
+  } else if constexpr (WrittenAsName<T>) {
+    std::string name;
+    if (source.take(name)) value = T::named(name);
   } else if constexpr (std::is_same_v<T, std::string>) {
     source.take(value);
   } else {

@@ -84,6 +84,7 @@ struct Field {
   Form form;  ///< Unit, Axes or Storage
   std::string_view help;
   bool in_tables = true;  ///< it has columns in the run database
+  bool hashed = true;     ///< it counts for the content hash
 };
 
 template <class T, class M>
@@ -100,6 +101,13 @@ constexpr auto field(std::string_view name, M T::*member, Form form,
 template <class T, class M, class Form>
 constexpr auto untabled(Field<T, M, Form> field) {
   field.in_tables = false;
+  return field;
+}
+
+/// A field that the content hash leaves out; all else has it.
+template <class T, class M, class Form>
+constexpr auto unhashed(Field<T, M, Form> field) {
+  field.hashed = false;
   return field;
 }
 
@@ -170,5 +178,13 @@ template <NamedEnum E>
 constexpr std::string_view name_of(E value) {
   return names_of(static_cast<const E*>(nullptr))[static_cast<std::size_t>(value)];
 }
+
+/// A value that is its name wherever it is written: name() gives it, named() makes one of
+/// any text.
+template <class T>
+concept WrittenAsName = requires(const T& value, std::string_view text) {
+  { value.name() } -> std::convertible_to<std::string_view>;
+  { T::named(text) } -> std::same_as<T>;
+};
 
 }  // namespace skein

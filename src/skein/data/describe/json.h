@@ -168,6 +168,8 @@ Json item(const T& value) {
     return object;
   } else if constexpr (NamedEnum<T>) {
     return name_of(value);
+  } else if constexpr (WrittenAsName<T>) {
+    return value.name();
   } else if constexpr (kIsId<T>) {
     return value.value;
   } else if constexpr (std::is_same_v<T, double>) {
@@ -315,6 +317,9 @@ class Taker {
           return true;
         }
       return false;
+    } else if constexpr (WrittenAsName<T>) {
+      if (from.is_string()) value = T::named(from.template get<std::string>());
+      return from.is_string();
     } else if constexpr (kIsId<T>) {
       return take_item(from, value.value);
     } else if constexpr (std::is_same_v<T, std::string>) {

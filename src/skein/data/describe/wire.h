@@ -91,23 +91,24 @@ template <Described T>
 constexpr std::size_t fixed_fields_size() {
   std::size_t sum = 0;
   bool fixed = true;
-  for_each_field<T>([&]<class O, class M, class F>(const Field<O, M, F>&) {
+  for_each_field<T>([&]<class O, class M, class F>(const Field<O, M, F>& f) {
     sum += fixed_size<M>();
-    fixed = fixed && fixed_size<M>() > 0;
+    fixed = fixed && f.hashed && fixed_size<M>() > 0;
   });
   return fixed ? sum : 0;
 }
 
-// Bytes of the fields of a struct, without its length.
-template <Described T>
+// Bytes of the fields of a struct, without its length; Canonical: of those that are
+// hashed.
+template <bool Canonical, Described T>
 std::size_t fields_size(const T& value);
 
-template <class T>
+template <bool Canonical, class T>
 std::size_t bytes_of(const T& value) {
   if constexpr (fixed_size<T>() > 0) {
     return fixed_size<T>();
   } else if constexpr (Described<T>) {
-    const std::size_t inner = fields_size(value);
+    const std::size_t inner = fields_size<Canonical>(value);
     return inner + varint_size(inner);
   } else if constexpr (kIsId<T>) {
     return varint_size(value.value);
@@ -117,42 +118,46 @@ std::size_t bytes_of(const T& value) {
     return varint_size(zigzag(value));
   } else if constexpr (std::is_same_v<T, std::string>) {
     return varint_size(value.size()) + value.size();
+  } else if constexpr (WrittenAsName<T>) {
+    return varint_size(value.name().size()) + value.name().size();
   } else if constexpr (kIsOptional<T>) {
-    return 1 + (value ? bytes_of(*value) : 0);
+    return 1 + (value ? bytes_of<Canonical>(*value) : 0);
   } else if constexpr (kIsVector<T>) {
     using Item = typename T::value_type;
     std::size_t sum = varint_size(value.size());
     if constexpr (fixed_size<Item>() > 0)
       sum += value.size() * fixed_size<Item>();
     else
-      for (const Item& item : value) sum += bytes_of(item);
+      for (const Item& item : value) sum += bytes_of<Canonical>(item);
     return sum;
   } else if constexpr (kIsArray<T>) {
     std::size_t sum = 0;
-    for (const auto& item : value) sum += bytes_of(item);
+    for (const auto& item : value) sum += bytes_of<Canonical>(item);
     return sum;
   } else {
     static_assert(kIsVariant<T>, "this type has no wire form");
     return std::visit(
         [&](const auto& chosen) {
-          const std::size_t inner = bytes_of(chosen);
+          const std::size_t inner = bytes_of<Canonical>(chosen);
           return varint_size(value.index()) + varint_size(inner) + inner;
         },
         value);
   }
 }
 
-template <Described T>
+template <bool Canonical, Described T>
 std::size_t fields_size(const T& value) {
   std::size_t sum = 0;
-  for_each_field<T>([&](const auto& f) { sum += bytes_of(value.*f.member); });
+  for_each_field<T>([&](const auto& f) {
+    if (!Canonical || f.hashed) sum += bytes_of<Canonical>(value.*f.member);
+  });
   return sum;
 }
 
 /// Writes into memory that is known to be large enough.
 ///
 /// @tparam Canonical  numbers that are equal give equal bytes: -0 is written as 0, and
-///                    every NaN as the same one.
+///                    every NaN as the same one; fields that are not hashed are left out.
 template <bool Canonical>
 class Writer {
  public:
@@ -187,8 +192,10 @@ class Writer {
     if constexpr (fixed_size<T>() > 0)
       put_varint(fixed_fields_size<T>());
     else
-      put_varint(fields_size(value));
-    for_each_field<T>([&](const auto& f) { put(value.*f.member); });
+      put_varint(fields_size<Canonical>(value));
+    for_each_field<T>([&](const auto& f) {
+      if (!Canonical || f.hashed) put(value.*f.member);
+    });
   }
 
   template <class T>
@@ -200,9 +207,9 @@ class Writer {
     } else if constexpr (std::is_integral_v<T>) {
       put_varint(zigzag(value));
     } else if constexpr (std::is_same_v<T, std::string>) {
-      put_varint(value.size());
-      std::memcpy(to_, value.data(), value.size());
-      to_ += value.size();
+      put_text(value);
+    } else if constexpr (WrittenAsName<T>) {
+      put_text(value.name());
     } else if constexpr (kIsOptional<T>) {
       put(value.has_value());
       if (value) put(*value);
@@ -210,7 +217,7 @@ class Writer {
       put_varint(value.index());
       std::visit(
           [&](const auto& chosen) {
-            put_varint(bytes_of(chosen));
+            put_varint(bytes_of<Canonical>(chosen));
             put(chosen);
           },
           value);
@@ -220,6 +227,11 @@ class Writer {
     }
   }
 
+  void put_text(std::string_view text) {
+    put_varint(text.size());
+    std::memcpy(to_, text.data(), text.size());
+    to_ += text.size();
+  }
   void put_varint(std::uint64_t value) {
     for (; value >= 0x80; value >>= 7) *to_++ = static_cast<std::byte>(value | 0x80);
     *to_++ = static_cast<std::byte>(value);
@@ -307,10 +319,11 @@ class Reader {
       value = static_cast<T>(wide);
       return value == wide || fail("an integer is too large");
     } else if constexpr (std::is_same_v<T, std::string>) {
-      Reader inner({});
-      if (!get_part(inner)) return false;
-      value = valid_text(std::string_view(
-          reinterpret_cast<const char*>(inner.bytes_.data()), inner.bytes_.size()));
+      return get_text(value);
+    } else if constexpr (WrittenAsName<T>) {
+      std::string name;
+      if (!get_text(name)) return false;
+      value = T::named(name);
       return true;
     } else if constexpr (kIsOptional<T>) {
       bool has = false;
@@ -329,6 +342,13 @@ class Reader {
     }
   }
 
+  bool get_text(std::string& text) {
+    Reader inner({});
+    if (!get_part(inner)) return false;
+    text = valid_text(std::string_view(reinterpret_cast<const char*>(inner.bytes_.data()),
+                                       inner.bytes_.size()));
+    return true;
+  }
   template <class T>
   bool get_list(T& list) {
     std::uint64_t count = 0;
@@ -387,7 +407,7 @@ class Reader {
 /// The bytes that encode() needs for a value.
 template <class T>
 std::size_t coded_size(const T& value) {
-  return 1 + detail::bytes_of(value);
+  return 1 + detail::bytes_of<false>(value);
 }
 
 /// Appends the coded value to `out`, whose memory may be used again and again.
@@ -403,7 +423,7 @@ void encode(const T& value, std::vector<std::byte>& out) {
 /// Replaces `out` by bytes that are equal for equal values: what a content hash is of.
 template <class T>
 void encode_canonical(const T& value, std::vector<std::byte>& out) {
-  out.resize(detail::bytes_of(value));
+  out.resize(detail::bytes_of<true>(value));
   detail::Writer<true> writer(out.data());
   writer.put(value);
 }

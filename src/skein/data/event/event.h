@@ -1,21 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
 #include "skein/data/describe/describe.h"
+#include "skein/data/event/event_kind.h"
 
 namespace skein {
 
-/// Something worth reporting to the user that happened at one moment of a run.
+/// Numbers of an event, for programs. Which of them a kind has, and what they are, its
+/// row says.
+struct EventNumbers {
+  std::optional<EntityId> other = std::nullopt;           ///< whom else it concerns
+  std::optional<std::uint32_t> task = std::nullopt;       ///< of an order
+  std::optional<std::uint32_t> team_task = std::nullopt;  ///< of a team's mission
+  std::optional<double> value = std::nullopt;
+  std::optional<double> threshold = std::nullopt;  ///< that the value is compared with
+
+  friend bool operator==(const EventNumbers&, const EventNumbers&) = default;
+};
+
+constexpr auto describe(const EventNumbers*) {
+  using T = EventNumbers;
+  return described<T>(
+      {"event_numbers"}, "Numbers of an event; docs/events.md says which a kind has.",
+      field("other_id", &T::other, "whom else it concerns"),
+      field("task", &T::task, "number of a task that was ordered"),
+      field("team_task", &T::team_task, "number of a task of a team"),
+      field("value", &T::value, "as the kind has it"),
+      field("threshold", &T::threshold, "that the value is compared with"));
+}
+
+/// Something worth reporting that happened at one moment of a run.
 struct Event {
   Time time;
   EntityId entity;
-  std::string
-      kind;  ///< short and stable, for scripts: "joined", "crossing", "outlier"...
-  std::string text;  ///< for people
+  EventLabel kind;
+  std::string text;  ///< for people: programs take `kind` and `numbers`
+  EventNumbers numbers = {};
 };
 
 constexpr auto describe(const Event*) {
@@ -23,22 +50,15 @@ constexpr auto describe(const Event*) {
   return described<T>({"event", "events"}, "Something worth reporting.",
                       field("time", &T::time, "when"),
                       field("entity_id", &T::entity, "to whom it happened"),
-                      field("kind", &T::kind, "short and stable, for scripts"),
-                      field("text", &T::text, "for people"));
+                      field("kind", &T::kind, "short and stable: docs/events.md"),
+                      field("text", &T::text, "for people"),
+                      // What counts of them stands in the text too.
+                      unhashed(field("", &T::numbers, "for programs")));
 }
 
-/// Whether an operator is to know of an event at once: alerts about other traffic that
-/// rise or are over, paths that are recommended to pilots, allocations of a team that
-/// wait for approval and what becomes of them, a real vehicle that is not what or where
-/// it is to be, that is not taken off, or that cannot be commanded or brought back,
-/// aircraft that come too near to each other.
+/// Whether whoever commands is to know of an event at once, as its kind's row says.
 inline bool is_announced(const Event& event) {
-  return event.kind == "traffic-alert" || event.kind == "clear-of-traffic" ||
-         event.kind == "recommended" || event.kind == "allocation-proposed" ||
-         event.kind == "allocation-over" || event.kind == "wrong-vehicle" ||
-         event.kind == "wrong-place" || event.kind == "not-heard" ||
-         event.kind == "take-off-denied" || event.kind == "not-commandable" ||
-         event.kind == "not-brought-back" || event.kind == "separation-lost";
+  return row_of(event.kind.kind()).announced;
 }
 
 }  // namespace skein

@@ -11,6 +11,7 @@
 #include "skein/base/id.h"
 #include "skein/base/time.h"
 #include "skein/data/describe/describe.h"
+#include "skein/data/event/event_kind.h"
 #include "skein/data/vehicle/entity_report.h"
 #include "skein/data/vehicle/vehicle_request.h"
 #include "skein/geo/rotation.h"
@@ -209,7 +210,7 @@ constexpr auto describe(const ActuatorOutputs*) {
 
 /// Something happened to an outside autopilot that moves a plant here, or to its program.
 struct OutsideEvent {
-  std::string kind;  ///< as events have it
+  EventLabel kind;
   std::string text;  ///< for people
 };
 
@@ -217,7 +218,7 @@ constexpr auto describe(const OutsideEvent*) {
   using T = OutsideEvent;
   return described<T>({"outside_event"},
                       "Something happened to an outside autopilot or its program.",
-                      field("event", &T::kind, "as events have it"),
+                      field("event", &T::kind, "short and stable: docs/events.md"),
                       field("text", &T::text, "for people"));
 }
 

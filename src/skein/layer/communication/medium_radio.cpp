@@ -375,9 +375,12 @@ void MediumRadio::note_neighbours(Time now, std::vector<Event>& events) {
   if (options_.advertisement_period > 0)
     for (const Neighbours::Change& change : changes_)
       if (on_[change.node])
-        events.push_back({now, EntityId{change.node},
-                          change.found ? "neighbour-found" : "neighbour-lost",
-                          name_(EntityId{change.other})});
+        events.push_back(
+            {now,
+             EntityId{change.node},
+             change.found ? EventKind::kNeighbourFound : EventKind::kNeighbourLost,
+             name_(EntityId{change.other}),
+             {.other = EntityId{change.other}}});
   changes_.clear();
 }
 

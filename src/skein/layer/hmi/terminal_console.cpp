@@ -93,8 +93,9 @@ std::vector<CommandRecord> TerminalConsole::commands() {
 
 void TerminalConsole::announce(const Event& event, std::string_view who) {
   if (!is_terminal_) return;
-  const std::string what =
-      event.kind == "recommended" ? "recommended path: " + event.text : event.text;
+  const std::string what = event.kind == EventKind::kRecommended
+                               ? "recommended path: " + event.text
+                               : event.text;
   // Over the progress, which is drawn anew below.
   fmt::print(out_, "{}{} {}: {}\n", drawn_.empty() ? "" : "\r\x1b[K",
              clock_text(event.time.seconds()), shown(std::string(who)), shown(what));

@@ -107,7 +107,7 @@ void AutopilotClient::report_change(Kind kind, std::string text) {
   reports_.emplace_back(LinkChange{kind, std::move(text)});
 }
 
-void AutopilotClient::report_event(const char* kind, std::string text) {
+void AutopilotClient::report_event(EventKind kind, std::string text) {
   reports_.emplace_back(OutsideEvent{kind, std::move(text)});
 }
 
@@ -317,7 +317,7 @@ void AutopilotClient::say_absence(Time now) {
   if (was_up_ || absence_said_ || now - *begun_ < kAbsence) return;
   absence_said_ = true;
   report_event(
-      "not-heard",
+      EventKind::kNotHeard,
       fmt::format("nothing is heard of the vehicle with system id {}", options_.system));
 }
 
@@ -366,7 +366,7 @@ void AutopilotClient::hear_clock(Time boot, Time now) {
   const Time ahead = clock_.hear(boot, now);
   if (ahead == Time()) return;
   clock_set_at_ = now;
-  report_event("clock-set",
+  report_event(EventKind::kClockSet,
                fmt::format("its clock was set ahead by {:.1f} s", ahead.seconds()));
 }
 
@@ -382,7 +382,7 @@ void AutopilotClient::hear_answer(const mavlink::Timesync& answer, Time now) {
   }
   if (++other_clock_ < kOtherClockAnswers || std::exchange(other_clock_said_, true))
     return;
-  report_event("other-clock",
+  report_event(EventKind::kOtherClock,
                "it answers TIMESYNC by another clock than its telemetry's; the fastest "
                "messages align it instead");
 }

@@ -113,7 +113,7 @@ class AutopilotClient {
   void hear_clock(Time boot, Time now);
   void hear_answer(const mavlink::Timesync& answer, Time now);
   void hear_position(const mavlink::GlobalPositionInt& position, Time now);
-  void report_event(const char* kind, std::string text);
+  void report_event(EventKind kind, std::string text);
   PreflightResult check(Time now) const;
   bool admits(std::uint32_t number, const VehicleRequest& request, Time now);
   void say_absence(Time now);

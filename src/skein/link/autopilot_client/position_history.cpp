@@ -34,7 +34,7 @@ std::vector<OutsideEvent> PositionHistory::add(const VehicleMotion& motion, bool
     if (motion.time - motion_->time < kJumpWindow && off.norm() > limit) {
       jump_at_ = now;
       events.push_back(
-          {"position-jumped",
+          {EventKind::kPositionJumped,
            fmt::format("its position jumped by {:.0f} m in {:.1f} s", off.norm(), dt)});
     }
   }
@@ -48,7 +48,7 @@ std::vector<OutsideEvent> PositionHistory::add(const VehicleMotion& motion, bool
   std::string why = misplaced(motion.p_N, *start_, false);
   const bool was_misplaced = std::exchange(misplaced_, !why.empty());
   if (misplaced_ && !was_misplaced)
-    events.push_back({"wrong-place", std::move(why) + "; it is not commanded"});
+    events.push_back({EventKind::kWrongPlace, std::move(why) + "; it is not commanded"});
   return events;
 }
 

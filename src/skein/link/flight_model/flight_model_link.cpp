@@ -140,7 +140,8 @@ bool FlightModelLink::look_at_program(std::vector<VehicleReport>& out) {
   const auto change = program_->look(Clock::now());
   if (!change) return false;
   out.emplace_back(OutsideEvent{
-      change->started ? "flight-model-restarted" : "flight-model-ended", change->text});
+      change->started ? EventKind::kFlightModelRestarted : EventKind::kFlightModelEnded,
+      change->text});
   return true;
 }
 

@@ -14,24 +14,24 @@ bool is_message_report(const VehicleReport& report) {
   return said && std::holds_alternative<Message>(said->said);
 }
 
-const char* event_of(const NeighbourChange& change) {
-  return change.found ? "neighbour-found" : "neighbour-lost";
+EventKind event_of(const NeighbourChange& change) {
+  return change.found ? EventKind::kNeighbourFound : EventKind::kNeighbourLost;
 }
 
-const char* event_of(AlertKind kind) {
+EventKind event_of(AlertKind kind) {
   switch (kind) {
     case AlertKind::kSameAddress:
-      return "modem-clash";
+      return EventKind::kModemClash;
     case AlertKind::kRefused:
-      return "modem-refused";
+      return EventKind::kModemRefused;
     case AlertKind::kDoubted:
-      return "modem-doubted";
+      return EventKind::kModemDoubted;
     case AlertKind::kNoLine:
-      return "modem-closed";
+      return EventKind::kModemClosed;
     case AlertKind::kLineOpen:
-      return "modem-open";
+      break;
   }
-  return "";
+  return EventKind::kModemOpen;
 }
 
 // Of an alert; `whose` modem it is.
@@ -118,7 +118,11 @@ void AgentModemRadio::deliver(Time now, RadioNews& news) {
       continue;
     }
     const auto& change = std::get<NeighbourChange>(heard);
-    news.events.push_back({now, self_, event_of(change), names_.at(change.who.value)});
+    news.events.push_back({now,
+                           self_,
+                           event_of(change),
+                           names_.at(change.who.value),
+                           {.other = change.who}});
   }
 }
 

@@ -21,9 +21,10 @@ void AnswerWatch::answered(std::vector<OutsideEvent>& events) {
   const bool first = state_ == State::kNew;
   state_ = State::kAnswers;
   if (first)
-    events.push_back({"autopilot-heard", where_});
+    events.push_back({EventKind::kAutopilotHeard, where_});
   else
-    events.push_back({"autopilot-back", fmt::format("it answers again: {}", where_)});
+    events.push_back(
+        {EventKind::kAutopilotBack, fmt::format("it answers again: {}", where_)});
 }
 
 void AnswerWatch::missed(std::vector<OutsideEvent>& events, const std::string& why) {
@@ -32,7 +33,7 @@ void AnswerWatch::missed(std::vector<OutsideEvent>& events, const std::string& w
   contact_ = false;
   state_ = State::kSilent;
   events.push_back(
-      {"autopilot-silent",
+      {EventKind::kAutopilotSilent,
        why.empty() ? fmt::format("no answer within {:.3g} s: {}",
                                  std::chrono::duration<double>(waited).count(), where_)
                    : why});

@@ -25,7 +25,8 @@ class DrivingProgram {
     const auto change = program_->look(std::chrono::steady_clock::now());
     if (!change) return false;
     events.push_back(
-        {change->started ? "autopilot-restarted" : "autopilot-ended", change->text});
+        {change->started ? EventKind::kAutopilotRestarted : EventKind::kAutopilotEnded,
+         change->text});
     return change->started;
   }
 

@@ -9,28 +9,30 @@ namespace skein::world_link {
 namespace {
 
 // Events that the world makes by itself of the state that it is told.
-constexpr std::array<std::string_view, 18> kMadeInWorld = {"joined",
-                                                           "left",
-                                                           "mode",
-                                                           "failsafe",
-                                                           "refused",
-                                                           "landed",
-                                                           "took-off",
-                                                           "sensor-lost",
-                                                           "sensor-back",
-                                                           "sensor-switched",
-                                                           "world-joined",
-                                                           "world-lost",
-                                                           "world-back",
-                                                           "world-restarted",
-                                                           "world-refused",
-                                                           "separation-lost",
-                                                           "separation-restored",
-                                                           "separation-not-restored"};
-
 bool made_in_world(const Event& event) {
-  return std::find(kMadeInWorld.begin(), kMadeInWorld.end(), event.kind) !=
-         kMadeInWorld.end();
+  switch (event.kind.kind()) {
+    case EventKind::kJoined:
+    case EventKind::kLeft:
+    case EventKind::kMode:
+    case EventKind::kFailsafe:
+    case EventKind::kRefused:
+    case EventKind::kLanded:
+    case EventKind::kTookOff:
+    case EventKind::kSensorLost:
+    case EventKind::kSensorBack:
+    case EventKind::kSensorSwitched:
+    case EventKind::kWorldJoined:
+    case EventKind::kWorldLost:
+    case EventKind::kWorldBack:
+    case EventKind::kWorldRestarted:
+    case EventKind::kWorldRefused:
+    case EventKind::kSeparationLost:
+    case EventKind::kSeparationRestored:
+    case EventKind::kSeparationNotRestored:
+      return true;
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -41,18 +43,19 @@ void WorldRadio::deliver(Time now, RadioNews& news) {
   for (Message& message : arrived_) news.ended.push_back({std::move(message)});
 }
 
-const char* ConnectedAgent::event_of(SessionChange::Kind kind) {
+EventKind ConnectedAgent::event_of(SessionChange::Kind kind) {
   switch (kind) {
     case SessionChange::Kind::kUp:
-      return std::exchange(joined_, true) ? "world-back" : "world-joined";
+      return std::exchange(joined_, true) ? EventKind::kWorldBack
+                                          : EventKind::kWorldJoined;
     case SessionChange::Kind::kDown:
-      return "world-lost";
+      return EventKind::kWorldLost;
     case SessionChange::Kind::kRestarted:
-      return "world-restarted";
+      return EventKind::kWorldRestarted;
     case SessionChange::Kind::kRefused:
-      return "world-refused";
+      break;
   }
-  return "";
+  return EventKind::kWorldRefused;
 }
 
 void ConnectedAgent::step(const AgentInput& in, AgentOutput& out) {
@@ -83,7 +86,7 @@ struct WorldFeed::Listener {
   }
   void operator()(const Event& event) const {
     if (event.entity != feed.self_) return;
-    if (event.kind == "accident") state().lost = true;
+    if (event.kind == EventKind::kAccident) state().lost = true;
     if (!made_in_world(event)) feed.said_.emplace_back(event);
   }
   void operator()(const FireReading& reading) const { feed.said_.emplace_back(reading); }

@@ -57,7 +57,7 @@ class ConnectedAgent final : public Agent {
   void step(const AgentInput& in, AgentOutput& out) override;
 
  private:
-  const char* event_of(SessionChange::Kind kind);
+  EventKind event_of(SessionChange::Kind kind);
 
   std::unique_ptr<Agent> agent_;
   EntityId self_;

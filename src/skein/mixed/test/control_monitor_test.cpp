@@ -28,7 +28,7 @@ struct Flight {
     control.hear(LinkChange{Kind::kDown, {}});
     control.hear(LinkChange{Kind::kUp, {}});
   }
-  std::size_t reported(const std::string& kind) const {
+  std::size_t reported(EventKind kind) const {
     return static_cast<std::size_t>(
         std::ranges::count(events, kind, &VehicleEvent::kind));
   }
@@ -58,12 +58,12 @@ TEST(ControlMonitor, AHoldThatNobodyHereAskedForIsAPilots) {
     EXPECT_EQ(f.control.holder(), Holder::kOther);
     EXPECT_EQ(f.control.reaction(), FailsafeReaction::kHold);
     EXPECT_EQ(f.control.trigger(), FailsafeTrigger::kNone);
-    EXPECT_EQ(f.reported("mode-changed"), 1u);
+    EXPECT_EQ(f.reported(EventKind::kModeChanged), 1u);
     f.see(VehicleMode::kHold, "LOITER");
-    EXPECT_EQ(f.reported("mode-changed"), 1u);
+    EXPECT_EQ(f.reported(EventKind::kModeChanged), 1u);
     f.see(VehicleMode::kGuided, "GUIDED");
     EXPECT_FALSE(f.control.is_taken());
-    EXPECT_EQ(f.reported("handed-back"), 1u);
+    EXPECT_EQ(f.reported(EventKind::kHandedBack), 1u);
   }
 }
 

@@ -70,10 +70,12 @@ struct Scripted final : AutopilotDrive {
     felt.push_back(motion);
     const auto outputs = script(motion);
     if (!outputs) {
-      if (!std::exchange(silent, true)) events.push_back({"autopilot-silent", "so"});
+      if (!std::exchange(silent, true))
+        events.push_back({EventKind::kAutopilotSilent, "so"});
       return false;
     }
-    if (std::exchange(silent, false)) events.push_back({"autopilot-back", "and so"});
+    if (std::exchange(silent, false))
+      events.push_back({EventKind::kAutopilotBack, "and so"});
     std::copy(outputs->begin(), outputs->end(), channels.begin());
     return true;
   }
@@ -211,7 +213,7 @@ TEST(DrivenPlant, AHardFallEndsIt) {
   const auto nothing = [](const SensedMotion&) { return std::vector<float>{0, 0}; };
   const Flown flight = flown_by(nothing, 5);
   EXPECT_TRUE(flight.lost);
-  EXPECT_EQ(flight.events.back().second.kind, "accident");
+  EXPECT_EQ(flight.events.back().second.kind, EventKind::kAccident);
   EXPECT_EQ(flight.events.back().second.text, "a1 hit the ground");
 }
 
@@ -230,7 +232,8 @@ TEST(DrivenPlant, KeepsTheLastOutputsWhileItsDriveIsSilent) {
   const Flown flight = flown_by(script, 30, 40);
   std::vector<std::string> kinds;
   for (const auto& [time, event] : flight.events) kinds.push_back(event.kind);
-  EXPECT_EQ(kinds, (std::vector<std::string>{"autopilot-silent", "autopilot-back"}));
+  EXPECT_EQ(kinds, (std::vector<EventLabel>{EventKind::kAutopilotSilent,
+                                            EventKind::kAutopilotBack}));
   // It is pushed through the whole silence, and no longer; wind adds up to 0.1 m/s.
   EXPECT_NEAR(flight.states[19].v_N.x() - flight.states[9].v_N.x(), 0.5, 0.1);
   EXPECT_NEAR(flight.states[39].v_N.x() - flight.states[20].v_N.x(), 0, 0.1);

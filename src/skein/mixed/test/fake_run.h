@@ -61,7 +61,8 @@ class FakeRun {
 
   struct Happened {
     Time time;
-    std::string kind, text;
+    EventLabel kind;
+    std::string text;
   };
 
   FakeRun(Make make, Faults faults) : fake(make, std::move(faults), frame_) {
@@ -90,7 +91,7 @@ class FakeRun {
     while (now < end) step();
   }
 
-  std::size_t count(const std::string& kind, const std::string& text = "") const {
+  std::size_t count(EventKind kind, const std::string& text = "") const {
     return static_cast<std::size_t>(
         std::count_if(events.begin(), events.end(), [&](const Happened& e) {
           return e.kind == kind && e.text.find(text) != std::string::npos;
@@ -99,7 +100,8 @@ class FakeRun {
   std::string log_text() const {
     std::string all;
     for (const Happened& e : events)
-      all += std::to_string(e.time.seconds()) + " " + e.kind + ": " + e.text + "\n";
+      all += std::to_string(e.time.seconds()) + " " + std::string(e.kind.name()) + ": " +
+             e.text + "\n";
     return all;
   }
 
@@ -112,7 +114,7 @@ class FakeRun {
     const bool commanded = fake.mode() == VehicleMode::kGuided && fake.armed &&
                            now - fake.last_setpoint < s(1);
     if (fake.on_ground() || commanded) return {};
-    return count("not-commandable") == 1 ? "" : "left alone in the air";
+    return count(EventKind::kNotCommandable) == 1 ? "" : "left alone in the air";
   }
 
  private:

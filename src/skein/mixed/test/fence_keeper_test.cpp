@@ -77,7 +77,7 @@ TEST(FenceKeeper, UploadsOnceAndAgainWhenZonesChange) {
   ASSERT_EQ(f.port.fences.size(), 3u);
   EXPECT_TRUE(f.last().empty());
   EXPECT_EQ(f.events.size(), 2u);
-  EXPECT_EQ(f.events.back().kind, "fence-uploaded");
+  EXPECT_EQ(f.events.back().kind, EventKind::kFenceUploaded);
 }
 
 TEST(FenceKeeper, ChangesInQuickSuccessionBecomeOneUpload) {

@@ -46,7 +46,7 @@ struct Cockpit {
         desk.sent.begin(), desk.sent.end(),
         [](const auto& each) { return std::holds_alternative<T>(each.second); }));
   }
-  std::size_t reported(const std::string& kind) const {
+  std::size_t reported(EventKind kind) const {
     return static_cast<std::size_t>(
         std::count_if(events.begin(), events.end(),
                       [&](const VehicleEvent& e) { return e.kind == kind; }));
@@ -109,8 +109,8 @@ TEST(FlightDirector, AsksToTakeOffAgainAndReportsADenialOnce) {
     c.run(4);
   }
   EXPECT_EQ(c.count<TakeOffRequest>(), 6u);
-  EXPECT_EQ(c.reported("take-off-denied"), 1u);
-  EXPECT_EQ(c.reported("pilot-took-over"), 0u);  // manual, but on the ground
+  EXPECT_EQ(c.reported(EventKind::kTakeOffDenied), 1u);
+  EXPECT_EQ(c.reported(EventKind::kPilotTookOver), 0u);  // manual, but on the ground
 }
 
 // Somebody chose another mode on the ground while the take-off was being asked for.
@@ -123,8 +123,8 @@ TEST(FlightDirector, LeavesItToWhoeverWithdrewItsTakeOff) {
   c.answer(Outcome::kWithdrawn, "mode TAKEOFF: withdrawn");
   c.run(60);
   EXPECT_EQ(c.count<TakeOffRequest>(), 1u);
-  EXPECT_EQ(c.reported("take-off-denied"), 0u);
-  EXPECT_EQ(c.reported("pilot-took-over"), 1u);
+  EXPECT_EQ(c.reported(EventKind::kTakeOffDenied), 0u);
+  EXPECT_EQ(c.reported(EventKind::kPilotTookOver), 1u);
   c.set(VehicleMode::kGuided, "GUIDED", false, true);
   c.run(5);
   EXPECT_EQ(c.count<TakeOffRequest>(), 2u) << "handed back";
@@ -157,10 +157,10 @@ TEST(FlightDirector, LeavesTheFlightToAPilotUntilItIsHandedBack) {
   EXPECT_EQ(c.desk.sent.size(), before);
   EXPECT_FALSE(c.director.takes_setpoints());
   EXPECT_EQ(c.director.control().holder(), ControlMonitor::Holder::kPilot);
-  EXPECT_EQ(c.reported("pilot-took-over"), 1u);
+  EXPECT_EQ(c.reported(EventKind::kPilotTookOver), 1u);
   c.set(VehicleMode::kGuided, "GUIDED", true, false);
   c.run(1);
-  EXPECT_EQ(c.reported("handed-back"), 1u);
+  EXPECT_EQ(c.reported(EventKind::kHandedBack), 1u);
   EXPECT_TRUE(c.director.takes_setpoints());
 }
 
@@ -211,7 +211,7 @@ TEST(FlightDirector, TakesUpAgainWhatIsHandedBackByACommand) {
   c.run(1);
   EXPECT_EQ(c.count<ModeRequest>(), 1u);
   EXPECT_TRUE(c.director.takes_setpoints());
-  EXPECT_EQ(c.reported("handed-back"), 1u);
+  EXPECT_EQ(c.reported(EventKind::kHandedBack), 1u);
   EXPECT_FALSE(c.director.hand_back(c.events).ok()) << "its agent has it";
   c.set(VehicleMode::kGuided, "GUIDED", true, false);
   c.run(1);

@@ -121,8 +121,8 @@ struct ModelFlight {
     motion.wind_N = {1, 2};
     script.says.emplace_back(motion);
   }
-  std::vector<std::string> kinds() const {
-    std::vector<std::string> all;
+  std::vector<EventLabel> kinds() const {
+    std::vector<EventLabel> all;
     for (const VehicleEvent& event : events) all.push_back(event.kind);
     return all;
   }
@@ -140,7 +140,7 @@ struct ModelFlight {
   std::vector<VehicleEvent> events;
 };
 
-using Kinds = std::vector<std::string>;
+using Kinds = std::vector<EventLabel>;
 
 TEST(FlightModelVehicle, TheModelIsTheTruthAndTheAutopilotSteersIt) {
   ModelFlight flight;
@@ -156,7 +156,7 @@ TEST(FlightModelVehicle, TheModelIsTheTruthAndTheAutopilotSteersIt) {
   EXPECT_EQ(flight.log.samples, 1);
   EXPECT_NEAR(flight.script.told.back()[channel::kAileron], 0.501, 1e-9);
   EXPECT_EQ(flight.script.wind_N, Vec3(0, 7, 0)) << "the scenario's wind";
-  EXPECT_EQ(flight.kinds(), Kinds{"flight-model-heard"});
+  EXPECT_EQ(flight.kinds(), Kinds{EventKind::kFlightModelHeard});
   ASSERT_EQ(flight.log.begins.size(), 2U);
   EXPECT_NEAR(flight.log.begins[1].p_N.x(), 500.5, 1e-9);
   EXPECT_EQ(flight.log.begins[1].wind_N, Vec2(1, 2)) << "the model's wind";
@@ -172,7 +172,8 @@ TEST(FlightModelVehicle, ASilentModelIsNotFlownAndGoesOnWhenItIsBack) {
   for (int k = 0; k < 30; ++k) flight.step();
   const double held = flight.script.told.back()[channel::kAileron];
   for (int k = 0; k < 20; ++k) flight.step();
-  EXPECT_EQ(flight.kinds(), (Kinds{"flight-model-heard", "flight-model-silent"}));
+  EXPECT_EQ(flight.kinds(),
+            (Kinds{EventKind::kFlightModelHeard, EventKind::kFlightModelSilent}));
   const int samples = flight.log.samples;
   EXPECT_TRUE(flight.step().empty()) << "its payload sees nothing";
   EXPECT_EQ(flight.log.samples, samples);
@@ -182,7 +183,8 @@ TEST(FlightModelVehicle, ASilentModelIsNotFlownAndGoesOnWhenItIsBack) {
   flight.say(601);
   flight.step();
   EXPECT_EQ(flight.kinds(),
-            (Kinds{"flight-model-heard", "flight-model-silent", "flight-model-back"}));
+            (Kinds{EventKind::kFlightModelHeard, EventKind::kFlightModelSilent,
+                   EventKind::kFlightModelBack}));
   EXPECT_NEAR(flight.log.begins.back().p_N.x(), 600, 1e-9);
   EXPECT_EQ(flight.log.commands.size(), 3U) << "its command holds, after each begin";
   EXPECT_NEAR(flight.script.told.back()[channel::kAileron], 0.601, 1e-9);
@@ -195,7 +197,8 @@ TEST(FlightModelVehicle, AResetBeginsTheFlightAgainThere) {
   flight.script.says.emplace_back(LinkChange{LinkChange::Kind::kRebooted, "it jumped"});
   flight.say(-2000);
   flight.step();
-  EXPECT_EQ(flight.kinds(), (Kinds{"flight-model-heard", "flight-model-reset"}));
+  EXPECT_EQ(flight.kinds(),
+            (Kinds{EventKind::kFlightModelHeard, EventKind::kFlightModelReset}));
   EXPECT_NEAR(flight.log.begins.back().p_N.x(), -2000, 1e-9);
 }
 
@@ -215,7 +218,8 @@ TEST(FlightModelVehicle, WhatWasSaidMakesTheSameFlightAgain) {
   std::vector<Vec3> places;
   for (int k = 0; k < 100; ++k) {
     if (k % 3 != 1 && (k < 30 || k > 70)) first.say(500 + k, 0.004 * (k % 5));
-    if (k == 80) first.script.says.emplace_back(OutsideEvent{"flight-model-ended", "so"});
+    if (k == 80)
+      first.script.says.emplace_back(OutsideEvent{EventKind::kFlightModelEnded, "so"});
     first.step();
     places.push_back(first.vehicle->truth()->p_N);
   }

@@ -23,8 +23,8 @@ struct Flight {
       position.step(now, condition, link_up, events);
     }
   }
-  std::vector<std::string> kinds() const {
-    std::vector<std::string> all;
+  std::vector<EventLabel> kinds() const {
+    std::vector<EventLabel> all;
     for (const VehicleEvent& event : events) all.push_back(event.kind);
     return all;
   }
@@ -37,7 +37,7 @@ struct Flight {
   Time now;
 };
 
-using Kinds = std::vector<std::string>;
+using Kinds = std::vector<EventLabel>;
 
 TEST(PositionMonitor, LosesAFixAndHasItBack) {
   Flight f;
@@ -52,7 +52,7 @@ TEST(PositionMonitor, LosesAFixAndHasItBack) {
   f.run(2);
   EXPECT_TRUE(f.position.is_good());
   EXPECT_TRUE(f.position.why().empty());
-  EXPECT_EQ(f.kinds(), (Kinds{"position-lost", "position-back"}));
+  EXPECT_EQ(f.kinds(), (Kinds{EventKind::kPositionLost, EventKind::kPositionBack}));
 }
 
 TEST(PositionMonitor, DoesNotFollowAJumpUntilItHasJumpedBack) {
@@ -64,7 +64,7 @@ TEST(PositionMonitor, DoesNotFollowAJumpUntilItHasJumpedBack) {
   f.north -= 400;
   f.run(5);
   EXPECT_TRUE(f.position.is_good());
-  EXPECT_EQ(f.kinds(), (Kinds{"position-jumped", "position-back"}));
+  EXPECT_EQ(f.kinds(), (Kinds{EventKind::kPositionJumped, EventKind::kPositionBack}));
 }
 
 TEST(PositionMonitor, BelievesAJumpThatSomebodyAccepts) {
@@ -98,7 +98,7 @@ TEST(PositionMonitor, SaysThatItIsOldWhileItsLinkIsUp) {
   f.run(10);
   f.speaks = true;
   f.run(5);
-  EXPECT_EQ(f.kinds(), (Kinds{"position-old", "position-back"}));
+  EXPECT_EQ(f.kinds(), (Kinds{EventKind::kPositionOld, EventKind::kPositionBack}));
 }
 
 TEST(PositionMonitor, AShiftOnTheGroundIsNone) {

@@ -21,8 +21,8 @@ class RealVehicleFaults : public testing::TestWithParam<Make> {
     run.run(70);
     EXPECT_FALSE(run.fake.flew) << run.log_text();
     EXPECT_FALSE(run.fake.armed);
-    EXPECT_EQ(run.count("take-off-denied", why), 1u) << run.log_text();
-    EXPECT_EQ(run.count("take-off-denied"), 1u) << run.log_text();
+    EXPECT_EQ(run.count(EventKind::kTakeOffDenied, why), 1u) << run.log_text();
+    EXPECT_EQ(run.count(EventKind::kTakeOffDenied), 1u) << run.log_text();
     EXPECT_EQ(run.verdict(), "") << run.log_text();
   }
   // The same, and it is not even asked.
@@ -41,9 +41,10 @@ class RealVehicleFaults : public testing::TestWithParam<Make> {
     EXPECT_NEAR(run.fake.height(), FakeRun::kAltitude, 2) << run.log_text();
     EXPECT_EQ(run.fake.take_offs, 1);
     EXPECT_EQ(run.verdict(), "") << run.log_text();
-    EXPECT_EQ(run.count("take-off-denied") + run.count("request-denied") +
-                  run.count("not-commandable") + run.count("position-old"),
-              0u)
+    EXPECT_EQ(
+        run.count(EventKind::kTakeOffDenied) + run.count(EventKind::kRequestDenied) +
+            run.count(EventKind::kNotCommandable) + run.count(EventKind::kPositionOld),
+        0u)
         << run.log_text();
   }
 };
@@ -62,7 +63,7 @@ TEST_P(RealVehicleFaults, WithTheTimeOfDayInItsAnswersIsFlown) {
   expect_flown({.time_of_day = true});
   FakeRun run(GetParam(), {.time_of_day = true});
   run.run(60);
-  EXPECT_EQ(run.count("other-clock"), 1u) << run.log_text();
+  EXPECT_EQ(run.count(EventKind::kOtherClock), 1u) << run.log_text();
 }
 
 TEST_P(RealVehicleFaults, WithoutAnswersAboutTimeIsFlown) {
@@ -75,8 +76,8 @@ TEST_P(RealVehicleFaults, WhoseClockIsSetIsFlownOn) {
     FakeRun run(GetParam(), faults);
     run.run(100);
     EXPECT_EQ(run.verdict(), "") << run.log_text();
-    EXPECT_EQ(run.count("clock-set"), 1u) << run.log_text();
-    EXPECT_EQ(run.count("position-old"), 0u) << run.log_text();
+    EXPECT_EQ(run.count(EventKind::kClockSet), 1u) << run.log_text();
+    EXPECT_EQ(run.count(EventKind::kPositionOld), 0u) << run.log_text();
     EXPECT_GT(run.fake.setpoints, 200) << run.log_text();
   }
 }
@@ -106,7 +107,8 @@ TEST_P(RealVehicleFaults, DeafOnesAreReported) {
 TEST_P(RealVehicleFaults, AnotherNumberIsReportedOnce) {
   FakeRun run(GetParam(), {.system = 9});
   run.run(60);
-  EXPECT_EQ(run.count("wrong-vehicle", "system id 9 is heard, 1 is expected"), 1u)
+  EXPECT_EQ(run.count(EventKind::kWrongVehicle, "system id 9 is heard, 1 is expected"),
+            1u)
       << run.log_text();
   EXPECT_FALSE(run.fake.armed);
 }
@@ -114,7 +116,7 @@ TEST_P(RealVehicleFaults, AnotherNumberIsReportedOnce) {
 TEST_P(RealVehicleFaults, NobodyThereIsReportedOnce) {
   FakeRun run(GetParam(), {.silent_at = 0, .silent_for = 1000});
   run.run(60);
-  EXPECT_EQ(run.count("not-heard"), 1u) << run.log_text();
+  EXPECT_EQ(run.count(EventKind::kNotHeard), 1u) << run.log_text();
 }
 
 TEST_P(RealVehicleFaults, SomewhereElseIsNotTakenOff) {
@@ -135,7 +137,8 @@ TEST_P(RealVehicleFaults, SomewhereElseInTheAirIsNotCommanded) {
     run.fake.armed = true;
     run.fake.change_mode(VehicleMode::kHold);
     run.run(60);
-    EXPECT_EQ(run.count("wrong-place", "it is 20.0 km from its start"), far ? 1u : 0u)
+    EXPECT_EQ(run.count(EventKind::kWrongPlace, "it is 20.0 km from its start"),
+              far ? 1u : 0u)
         << run.log_text();
     EXPECT_EQ(run.fake.commands[176] == 0, far) << run.log_text();
     EXPECT_EQ(run.fake.setpoints == 0, far) << run.log_text();
@@ -154,8 +157,8 @@ TEST_P(RealVehicleFaults, AnotherKindOfVehicleIsNotCommanded) {
   for (const std::uint8_t type : {std::uint8_t{1}, std::uint8_t{10}}) {
     FakeRun run(GetParam(), {.type = type});
     run.run(60);
-    EXPECT_EQ(run.count("wrong-vehicle"), 1u) << run.log_text();
-    EXPECT_EQ(run.count("take-off-denied"), 0u) << run.log_text();
+    EXPECT_EQ(run.count(EventKind::kWrongVehicle), 1u) << run.log_text();
+    EXPECT_EQ(run.count(EventKind::kTakeOffDenied), 0u) << run.log_text();
     EXPECT_FALSE(run.fake.armed);
   }
 }
@@ -166,12 +169,12 @@ TEST_P(RealVehicleFaults, AModeThatIsAcceptedAndNotTakenIsReported) {
                           "mode GUIDED: accepted, but it stays in STABILIZE");
   FakeRun run(GetParam(), {.keeps_mode = true});
   run.run(120);
-  EXPECT_EQ(
-      run.count("request-denied", "mode OFFBOARD: accepted, but it stays in AUTO.LOITER"),
-      1u)
+  EXPECT_EQ(run.count(EventKind::kRequestDenied,
+                      "mode OFFBOARD: accepted, but it stays in AUTO.LOITER"),
+            1u)
       << run.log_text();
-  EXPECT_EQ(run.count("not-commandable"), 1u) << run.log_text();
-  EXPECT_EQ(run.count("not-brought-back"), 1u) << run.log_text();
+  EXPECT_EQ(run.count(EventKind::kNotCommandable), 1u) << run.log_text();
+  EXPECT_EQ(run.count(EventKind::kNotBroughtBack), 1u) << run.log_text();
 }
 
 TEST_P(RealVehicleFaults, WhatCannotBeCommandedInTheAirIsBroughtBack) {
@@ -185,8 +188,8 @@ TEST_P(RealVehicleFaults, WhatCannotBeCommandedInTheAirIsBroughtBack) {
     EXPECT_TRUE(run.fake.flew) << run.log_text();
     EXPECT_TRUE(run.fake.on_ground()) << run.log_text();
     EXPECT_FALSE(run.fake.armed) << run.log_text();
-    EXPECT_EQ(run.count("not-commandable"), 1u) << run.log_text();
-    EXPECT_EQ(run.count("not-brought-back"), 0u) << run.log_text();
+    EXPECT_EQ(run.count(EventKind::kNotCommandable), 1u) << run.log_text();
+    EXPECT_EQ(run.count(EventKind::kNotBroughtBack), 0u) << run.log_text();
     EXPECT_EQ(run.verdict(), "") << run.log_text();
   }
 }
@@ -194,9 +197,9 @@ TEST_P(RealVehicleFaults, WhatCannotBeCommandedInTheAirIsBroughtBack) {
 TEST_P(RealVehicleFaults, OneThatIsDeafInTheAirIsAlarmedAbout) {
   FakeRun run(GetParam(), {.deaf_at = 35});
   run.run(150);
-  EXPECT_EQ(run.count("not-commandable"), 1u) << run.log_text();
-  EXPECT_EQ(run.count("not-brought-back", "mode RTL: not answered") +
-                run.count("not-brought-back", "mode AUTO.RTL: not answered"),
+  EXPECT_EQ(run.count(EventKind::kNotCommandable), 1u) << run.log_text();
+  EXPECT_EQ(run.count(EventKind::kNotBroughtBack, "mode RTL: not answered") +
+                run.count(EventKind::kNotBroughtBack, "mode AUTO.RTL: not answered"),
             1u)
       << run.log_text();
 }
@@ -205,7 +208,8 @@ TEST_P(RealVehicleFaults, OneThatIsDeafInTheAirIsAlarmedAbout) {
 struct Drawn {
   std::string what;
   Faults faults;
-  std::string kind, text;
+  std::optional<EventKind> kind;
+  std::string text;
 };
 
 class Draw {
@@ -215,115 +219,118 @@ class Draw {
   Drawn operator()() {
     Drawn d;
     Faults& f = d.faults;
-    const auto named = [&](std::string what, std::string kind, std::string text) {
+    const auto named = [&](std::string what, std::optional<EventKind> kind,
+                           std::string text) {
       d.what = std::move(what);
-      d.kind = std::move(kind);
+      d.kind = kind;
       d.text = std::move(text);
     };
     switch (std::uniform_int_distribution<int>(0, 23)(random_)) {
       case 0:
         f.late = between(1.5, 4);
-        named("late", "take-off-denied", "link: a round trip");
+        named("late", EventKind::kTakeOffDenied, "link: a round trip");
         break;
       case 1:
         f.late = between(0, 0.4);
-        named("a little late", "", "");
+        named("a little late", std::nullopt, "");
         break;
       case 2:
         f.time_of_day = true;
-        named("time of day", "other-clock", "");
+        named("time of day", EventKind::kOtherClock, "");
         break;
       case 3:
         f.clock_jump_at = between(3, 90);
         f.clock_jump = between(60, 100'000);
-        named("clock set ahead", "clock-set", "");
+        named("clock set ahead", EventKind::kClockSet, "");
         break;
       case 4:
         f.clock_jump_at = between(3, 90);
         f.clock_jump = -between(5, 30);
-        named("clock set back", "vehicle-rebooted", "");
+        named("clock set back", EventKind::kVehicleRebooted, "");
         break;
       case 5:
         f.displaced.head<2>() = between(600, 200'000) * geo::unit(between(0, 6.28));
-        named("far", "take-off-denied", "place: ");
+        named("far", EventKind::kTakeOffDenied, "place: ");
         break;
       case 6:
         f.displaced.z() = (chance() ? 1 : -1) * between(40, 400);
-        named("too high or low", "take-off-denied", "place: its altitude");
+        named("too high or low", EventKind::kTakeOffDenied, "place: its altitude");
         break;
       case 7:
         f.home_displaced.head<2>() = between(600, 20'000) * geo::unit(between(0, 6.28));
-        named("home elsewhere", "take-off-denied", "home: ");
+        named("home elsewhere", EventKind::kTakeOffDenied, "home: ");
         break;
       case 8:
         f.no_home = true;
-        named("no home", "take-off-denied", "home: not known");
+        named("no home", EventKind::kTakeOffDenied, "home: not known");
         break;
       case 9:
         f.deaf = true;
-        named("deaf", "take-off-denied", "not answered");
+        named("deaf", EventKind::kTakeOffDenied, "not answered");
         break;
       case 10:
         f.deaf_at = between(25, 90);
-        named("deaf in the air", "not-commandable", "");
+        named("deaf in the air", EventKind::kNotCommandable, "");
         break;
       case 11:
         f.refuses = {400};
-        named("refuses to arm", "take-off-denied", "arm: denied");
+        named("refuses to arm", EventKind::kTakeOffDenied, "arm: denied");
         break;
       case 12:
         f.refuses = {22};
-        named("refuses to take off", "take-off-denied", "take-off: denied");
+        named("refuses to take off", EventKind::kTakeOffDenied, "take-off: denied");
         break;
       case 13:
         f.refuses = {176};
-        named("refuses modes", ardupilot_ ? "take-off-denied" : "request-denied",
+        named("refuses modes",
+              ardupilot_ ? EventKind::kTakeOffDenied : EventKind::kRequestDenied,
               ardupilot_ ? "mode GUIDED: denied" : "mode OFFBOARD: denied");
         break;
       case 14:
         f.keeps_mode = true;
-        named("does not take modes", ardupilot_ ? "take-off-denied" : "request-denied",
+        named("does not take modes",
+              ardupilot_ ? EventKind::kTakeOffDenied : EventKind::kRequestDenied,
               "accepted, but it stays in");
         break;
       case 15:
         f.position_jump_at = between(2, 7);
         f.position_jump.head<2>() = between(1000, 9000) * geo::unit(between(0, 6.28));
-        named("position jumps on the ground", "position-jumped", "");
+        named("position jumps on the ground", EventKind::kPositionJumped, "");
         break;
       case 16:
         f.position_jump_at = between(30, 90);
         f.position_jump.head<2>() = between(150, 9000) * geo::unit(between(0, 6.28));
-        named("position jumps in the air", "position-jumped", "");
+        named("position jumps in the air", EventKind::kPositionJumped, "");
         break;
       case 17:
         f.silent_at = between(3, 90);
         f.silent_for = between(4.5, 30);
-        named("silent for a time", "link-lost", "");
+        named("silent for a time", EventKind::kLinkLost, "");
         break;
       case 18:
         f.silent_at = 0;
         f.silent_for = 1000;
-        named("never heard", "not-heard", "");
+        named("never heard", EventKind::kNotHeard, "");
         break;
       case 19:
         f.system = static_cast<std::uint8_t>(between(2, 200));
-        named("another number", "wrong-vehicle", "is expected");
+        named("another number", EventKind::kWrongVehicle, "is expected");
         break;
       case 20:
         f.position_rate = between(0, 0.4);
-        named("few positions", "take-off-denied", "telemetry: ");
+        named("few positions", EventKind::kTakeOffDenied, "telemetry: ");
         break;
       case 21:
         f.no_fix = true;
-        named("no fix", "take-off-denied", "position: ");
+        named("no fix", EventKind::kTakeOffDenied, "position: ");
         break;
       case 22:
         f.ignores_setpoints = true;
-        named("ignores setpoints", "not-commandable", "setpoints");
+        named("ignores setpoints", EventKind::kNotCommandable, "setpoints");
         break;
       default:
         f.climb_limit = between(3, 20);
-        named("does not climb", "not-commandable", "climbing");
+        named("does not climb", EventKind::kNotCommandable, "climbing");
         break;
     }
     return d;
@@ -350,8 +357,9 @@ TEST_P(RealVehicleFaults, AtRandomLeaveNoneAloneAndAreNamedOnce) {
     if (!drawn.kind.empty()) {
       EXPECT_EQ(run.count(drawn.kind, drawn.text), 1u);
     }
-    for (const char* kind : {"take-off-denied", "request-denied", "not-commandable",
-                             "not-brought-back", "wrong-vehicle", "wrong-place"})
+    for (const EventKind kind : {EventKind::kTakeOffDenied, EventKind::kRequestDenied,
+                                 EventKind::kNotCommandable, EventKind::kNotBroughtBack,
+                                 EventKind::kWrongVehicle, EventKind::kWrongPlace})
       EXPECT_LE(run.count(kind), 1u) << kind;
   }
 }

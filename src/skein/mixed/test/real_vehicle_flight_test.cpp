@@ -133,7 +133,7 @@ TEST_P(RealVehicleInFlight, WhatIsHandedBackIsLedOn) {
   ASSERT_TRUE(flown.run.vehicle->hand_back(flown.run.now).ok());
   flown.go(10);
   EXPECT_TRUE(flown.is_commanded()) << flown.log_text();
-  EXPECT_EQ(flown.run.count("handed-back"), 1u) << flown.log_text();
+  EXPECT_EQ(flown.run.count(EventKind::kHandedBack), 1u) << flown.log_text();
 }
 
 TEST_P(RealVehicleInFlight, APilotsHoldIsNotTheAgents) {
@@ -147,12 +147,12 @@ TEST_P(RealVehicleInFlight, APilotsHoldIsNotTheAgents) {
     flown.go(60);
     EXPECT_EQ(flown.run.fake.mode(), VehicleMode::kHold) << flown.log_text();
     EXPECT_EQ(flown.modes_asked(), 0) << flown.log_text();
-    EXPECT_EQ(flown.run.count("mode-changed"), 1u) << flown.log_text();
+    EXPECT_EQ(flown.run.count(EventKind::kModeChanged), 1u) << flown.log_text();
     EXPECT_EQ(flown.failsafes(), 0) << flown.log_text();
     flown.run.fake.change_mode(VehicleMode::kGuided);
     flown.go(10);
     EXPECT_TRUE(flown.is_commanded()) << flown.log_text();
-    EXPECT_EQ(flown.run.count("handed-back"), 1u) << flown.log_text();
+    EXPECT_EQ(flown.run.count(EventKind::kHandedBack), 1u) << flown.log_text();
   }
 }
 
@@ -167,15 +167,15 @@ TEST_P(RealVehicleInFlight, WithoutSatellitesItIsLedNowhereUntilTheyAreBack) {
   flown.run.fake.faults.no_fix = false;
   flown.go(10);
   EXPECT_TRUE(flown.is_commanded()) << flown.log_text();
-  EXPECT_EQ(flown.run.count("position-lost"), 1u) << flown.log_text();
-  EXPECT_EQ(flown.run.count("position-back"), 1u) << flown.log_text();
-  EXPECT_EQ(flown.run.count("not-commandable"), 0u) << flown.log_text();
+  EXPECT_EQ(flown.run.count(EventKind::kPositionLost), 1u) << flown.log_text();
+  EXPECT_EQ(flown.run.count(EventKind::kPositionBack), 1u) << flown.log_text();
+  EXPECT_EQ(flown.run.count(EventKind::kNotCommandable), 0u) << flown.log_text();
 }
 
 // What happens in a flight, at random; the events that name it, each once.
 struct Happening {
   std::string what;
-  std::vector<std::string> events;
+  std::vector<EventKind> events;
   int failsafes = 0;
   enum class End { kCommanded, kReturned, kPilots, kHolds } end = End::kCommanded;
 };
@@ -191,22 +191,22 @@ class Happenings {
     switch (std::uniform_int_distribution<int>(0, 10)(random_)) {
       case 0:
         outage(f, [&] { f.fail_safe(); });
-        return {"failsafe while the link is down", {"link-lost"}, 1, kReturned};
+        return {"failsafe while the link is down", {EventKind::kLinkLost}, 1, kReturned};
       case 1:
         outage(f, [&] { f.run.fake.change_mode(VehicleMode::kHold); });
         return {"pilot's hold while the link is down",
-                {"link-lost", "mode-changed"},
+                {EventKind::kLinkLost, EventKind::kModeChanged},
                 0,
                 kPilots};
       case 2:
         outage(f, [&] { f.run.fake.change_mode(VehicleMode::kStabilized); });
         return {"sticks while the link is down",
-                {"link-lost", "pilot-took-over"},
+                {EventKind::kLinkLost, EventKind::kPilotTookOver},
                 0,
                 kPilots};
       case 3:
         outage(f, [] {});
-        return {"the link is down", {"link-lost"}, 0, kCommanded};
+        return {"the link is down", {EventKind::kLinkLost}, 0, kCommanded};
       case 4:
         f.fail_safe("Fence breached");
         return {"failsafe", {}, 1, kReturned};
@@ -214,34 +214,37 @@ class Happenings {
         f.run.fake.change_mode(VehicleMode::kStabilized);
         f.go(wait);
         f.run.fake.change_mode(VehicleMode::kGuided);
-        return {"sticks for a while", {"pilot-took-over", "handed-back"}, 0, kCommanded};
+        return {"sticks for a while",
+                {EventKind::kPilotTookOver, EventKind::kHandedBack},
+                0,
+                kCommanded};
       case 6:
         faults.no_fix = true;
         f.go(wait);
         faults.no_fix = false;
         return {"no satellites for a while",
-                {"position-lost", "position-back"},
+                {EventKind::kPositionLost, EventKind::kPositionBack},
                 0,
                 kCommanded};
       case 7:
         faults.no_fix = true;
-        return {"no satellites any more", {"position-lost"}, 0, kHolds};
+        return {"no satellites any more", {EventKind::kPositionLost}, 0, kHolds};
       case 8:
         faults.position_jump_at = f.run.now.seconds();
         faults.position_jump.head<2>() = between(150, 5000) * geo::unit(between(0, 6.28));
         f.go(between(0.5, 1.5));  // for longer it is brought back
         faults.position_jump.setZero();
         return {"its position jumps and back",
-                {"position-jumped", "position-back"},
+                {EventKind::kPositionJumped, EventKind::kPositionBack},
                 0,
                 kCommanded};
       case 9:
         f.reboot(VehicleMode::kGuided);
-        return {"it reboots and flies on", {"vehicle-rebooted"}, 0, kCommanded};
+        return {"it reboots and flies on", {EventKind::kVehicleRebooted}, 0, kCommanded};
       default:
         f.reboot(VehicleMode::kStabilized);
         return {"it reboots into sticks",
-                {"vehicle-rebooted", "pilot-took-over"},
+                {EventKind::kVehicleRebooted, EventKind::kPilotTookOver},
                 0,
                 kPilots};
     }
@@ -294,10 +297,11 @@ TEST_P(RealVehicleInFlight, AtRandomNoneIsOverriddenAndEachIsNamedOnce) {
     EXPECT_EQ(misplaced(flown, happened), "");
     EXPECT_LT(flown.run.fake.furthest, 2 * FakeRun::kLeg);
     EXPECT_EQ(flown.failsafes(), happened.failsafes);
-    for (const std::string& kind : happened.events)
-      EXPECT_EQ(flown.run.count(kind), 1u) << kind;
-    for (const char* kind : {"not-commandable", "not-brought-back", "request-denied"})
-      EXPECT_EQ(flown.run.count(kind), 0u) << kind;
+    for (const EventKind kind : happened.events)
+      EXPECT_EQ(flown.run.count(kind), 1u) << row_of(kind).name;
+    for (const EventKind kind : {EventKind::kNotCommandable, EventKind::kNotBroughtBack,
+                                 EventKind::kRequestDenied})
+      EXPECT_EQ(flown.run.count(kind), 0u) << row_of(kind).name;
   }
 }
 

@@ -31,8 +31,8 @@ TEST_P(RealVehicleTakeover, WithoutAnyAcknowledgementItIsFlown) {
   EXPECT_EQ(run.fake.take_offs, 1) << run.log_text();
   EXPECT_EQ(run.fake.arms, 1) << run.log_text();
   EXPECT_EQ(run.verdict(), "") << run.log_text();
-  EXPECT_EQ(run.count("take-off-denied") + run.count("request-denied") +
-                run.count("mode-changed") + run.count("pilot-took-over"),
+  EXPECT_EQ(run.count(EventKind::kTakeOffDenied) + run.count(EventKind::kRequestDenied) +
+                run.count(EventKind::kModeChanged) + run.count(EventKind::kPilotTookOver),
             0u)
       << run.log_text();
 }
@@ -42,7 +42,8 @@ TEST_P(RealVehicleTakeover, OverABadLineItIsFlown) {
     FakeRun run(GetParam(), {.ack_loss = 0.5, .command_loss = 0.5, .seed = seed});
     run.run(120);
     EXPECT_GT(run.fake.setpoints, 100) << run.log_text();
-    EXPECT_EQ(run.count("mode-changed") + run.count("pilot-took-over"), 0u)
+    EXPECT_EQ(run.count(EventKind::kModeChanged) + run.count(EventKind::kPilotTookOver),
+              0u)
         << "seed " << seed << "\n"
         << run.log_text();
   }
@@ -101,7 +102,7 @@ TEST_P(RealVehicleTakeover, OnTheGroundIsKeptWhileItIsToTakeOff) {
   run.run(40);
   EXPECT_EQ(run.fake.mode(), to) << run.log_text();
   EXPECT_FALSE(run.fake.armed) << run.log_text();
-  EXPECT_EQ(run.count("mode-changed") + run.count("pilot-took-over"), 1u)
+  EXPECT_EQ(run.count(EventKind::kModeChanged) + run.count(EventKind::kPilotTookOver), 1u)
       << run.log_text();
   run.fake.change_mode(VehicleMode::kGuided);  // the pilot gives it back
   run.run(60);
@@ -115,8 +116,9 @@ TEST_P(RealVehicleTakeover, WhileItIsBroughtBackIsKept) {
     FakeRun run(GetParam(), {.ignores_setpoints = true, .ack_loss = 1, .seed = seed});
     run.run(30);
     run.fake.faults.command_loss = 1;  // from here on nothing arrives
-    for (int k = 0; k < 600 && run.count("not-commandable") == 0; ++k) run.run(0.1);
-    ASSERT_EQ(run.count("not-commandable"), 1u) << run.log_text();
+    for (int k = 0; k < 600 && run.count(EventKind::kNotCommandable) == 0; ++k)
+      run.run(0.1);
+    ASSERT_EQ(run.count(EventKind::kNotCommandable), 1u) << run.log_text();
     run.run(std::uniform_real_distribution<double>(0.2, 5.5)(random));
     const VehicleMode to = ardupilot() ? VehicleMode::kHold : VehicleMode::kStabilized;
     run.fake.change_mode(to);

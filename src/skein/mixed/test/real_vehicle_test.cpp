@@ -170,8 +170,9 @@ TEST(RealVehicle, SensesNothingWhenItsPositionIsOld) {
   EXPECT_EQ(readings, 51);  // steps at which the position is up to 5 s old
   std::vector<VehicleEvent> events;
   flight.vehicle->take_events(events);
-  EXPECT_EQ(std::count_if(events.begin(), events.end(),
-                          [](const VehicleEvent& e) { return e.kind == "position-old"; }),
+  EXPECT_EQ(std::count_if(
+                events.begin(), events.end(),
+                [](const VehicleEvent& e) { return e.kind == EventKind::kPositionOld; }),
             1);
   flight.says_it_is_at(50);
   EXPECT_EQ(flight.step(), std::vector{true});  // heard again
@@ -285,11 +286,11 @@ TEST(RealVehicle, WithoutAPositionItIsLedNowhere) {
   EXPECT_TRUE(obeys_orders(flight.vehicle->status()));
   std::vector<VehicleEvent> events;
   flight.vehicle->take_events(events);
-  const auto count = [&](const char* kind) {
+  const auto count = [&](EventKind kind) {
     return std::ranges::count(events, kind, &VehicleEvent::kind);
   };
-  EXPECT_EQ(count("position-lost"), 1);
-  EXPECT_EQ(count("position-back"), 1);
+  EXPECT_EQ(count(EventKind::kPositionLost), 1);
+  EXPECT_EQ(count(EventKind::kPositionBack), 1);
 }
 
 // What it said meanwhile did not arrive: what counts is how it is afterwards.

@@ -78,8 +78,8 @@ struct Stand {
     vehicle->advance(world, now, now + seconds(0.1), nullptr);
     return out;
   }
-  std::vector<std::string> kinds() const {
-    std::vector<std::string> all;
+  std::vector<EventLabel> kinds() const {
+    std::vector<EventLabel> all;
     for (const VehicleEvent& event : events) all.push_back(event.kind);
     return all;
   }
@@ -130,7 +130,7 @@ TEST(RemoteVehicle, KnowsTheTruthOfASimulatedOneWhileItIsYoung) {
   stand.step(seconds(15.1));
   EXPECT_EQ(stand.vehicle->truth(), nullptr);
   stand.step(seconds(16));
-  EXPECT_EQ(stand.kinds(), std::vector<std::string>{"position-old"});
+  EXPECT_EQ(stand.kinds(), std::vector<EventLabel>{EventKind::kPositionOld});
   EXPECT_TRUE(stand.payload.samples.empty()) << "nobody knows where its sensors are";
   EXPECT_EQ(stand.payload.ends, std::vector<std::size_t>{0});
 }
@@ -192,7 +192,9 @@ TEST(RemoteVehicle, ALinkThatIsMadeToFailBringsNothing) {
   ASSERT_TRUE(stand.vehicle->set_fault("link", false, seconds(2)).ok());
   EXPECT_TRUE(stand.vehicle->link_works());
   stand.step(seconds(3));
-  EXPECT_EQ(stand.kinds(), (std::vector<std::string>{"link-up", "failure", "repaired"}));
+  EXPECT_EQ(stand.kinds(),
+            (std::vector<EventLabel>{EventKind::kLinkUp, EventKind::kFailure,
+                                     EventKind::kRepaired}));
 }
 
 TEST(RemoteVehicle, DoesTheSameAgainWithWhatWasRecorded) {
@@ -221,7 +223,7 @@ TEST(RemoteEntity, IsReachedByItsModemWhileThatHearsIt) {
   stand.desk.waiting = {LinkChange{LinkChange::Kind::kUp, "here"}};
   stand.step(seconds(0));
   EXPECT_FALSE(stand.vehicle->link_works()) << "its link is not its radio";
-  stand.desk.waiting = {OutsideEvent{"neighbour-found", "by the modem"}};
+  stand.desk.waiting = {OutsideEvent{EventKind::kNeighbourFound, "by the modem"}};
   stand.step(seconds(0.1));
   EXPECT_TRUE(stand.vehicle->link_works());
   stand.desk.waiting = {LinkChange{LinkChange::Kind::kDown, "gone"}};
@@ -230,12 +232,13 @@ TEST(RemoteEntity, IsReachedByItsModemWhileThatHearsIt) {
   ASSERT_TRUE(stand.vehicle->set_fault("link", true, seconds(0.2)).ok());
   EXPECT_FALSE(stand.vehicle->link_works());
   ASSERT_TRUE(stand.vehicle->set_fault("link", false, seconds(0.2)).ok());
-  stand.desk.waiting = {OutsideEvent{"neighbour-lost", "by the modem"}};
+  stand.desk.waiting = {OutsideEvent{EventKind::kNeighbourLost, "by the modem"}};
   stand.step(seconds(0.3));
   EXPECT_FALSE(stand.vehicle->link_works());
   EXPECT_EQ(stand.kinds(),
-            (std::vector<std::string>{"link-up", "neighbour-found", "link-lost",
-                                      "failure", "repaired", "neighbour-lost"}));
+            (std::vector<EventLabel>{EventKind::kLinkUp, EventKind::kNeighbourFound,
+                                     EventKind::kLinkLost, EventKind::kFailure,
+                                     EventKind::kRepaired, EventKind::kNeighbourLost}));
 }
 
 }  // namespace

@@ -51,12 +51,12 @@ class ServerMemoryTest : public testing::Test {
       memory.take_position(Time::from_seconds(from + k), who,
                            {10.0 * k, east, -altitude});
   }
-  int count(const std::string& kind) const {
+  int count(EventKind kind) const {
     int n = 0;
     for (const Event& each : events) n += each.kind == kind;
     return n;
   }
-  const Event& last(const std::string& kind) const {
+  const Event& last(EventKind kind) const {
     for (auto each = events.rbegin(); each != events.rend(); ++each)
       if (each->kind == kind) return *each;
     throw std::runtime_error("no event " + kind);
@@ -80,8 +80,8 @@ TEST_F(ServerMemoryTest, AVirtualSensorRefreshesNothingAndIsReportedOnce) {
   see(10, kReal, kWalker, {100, 0});
   for (int k = 1; k <= 5; ++k) see(10 + k, kMixed, kWalker, {100.0 + k, 0});
   EXPECT_EQ(memory.remembered()[0].position, Vec2(100, 0));
-  EXPECT_EQ(count("update-refused"), 1);
-  EXPECT_EQ(last("update-refused").entity, kMixed);
+  EXPECT_EQ(count(EventKind::kUpdateRefused), 1);
+  EXPECT_EQ(last(EventKind::kUpdateRefused).entity, kMixed);
   int refused = 0;
   for (const ObservationRecord& each : observations)
     refused += each.fate == ObservationFate::kRefused;
@@ -89,7 +89,7 @@ TEST_F(ServerMemoryTest, AVirtualSensorRefreshesNothingAndIsReportedOnce) {
   // Nor does it keep it young.
   see(611, kMixed, kWalker, {100, 0});
   EXPECT_TRUE(memory.remembered().empty());
-  EXPECT_EQ(count("forgotten"), 1);
+  EXPECT_EQ(count(EventKind::kForgotten), 1);
 }
 
 TEST_F(ServerMemoryTest, VirtualObjectsAreNotItsBusiness) {
@@ -104,8 +104,8 @@ TEST_F(ServerMemoryTest, RelianceOnWhatHasMovedIsNonActual) {
   see(10, kReal, kWalker, {100, 0});
   see(30, kMixed, kWalker, {101, 0});
   see(70, kReal, kWalker, {160, 0});
-  ASSERT_EQ(count("non-actual-observation"), 1);
-  const Event& event = last("non-actual-observation");
+  ASSERT_EQ(count(EventKind::kNonActualObservation), 1);
+  const Event& event = last(EventKind::kNonActualObservation);
   EXPECT_EQ(event.entity, kReal);
   EXPECT_EQ(event.text,
             "walker: remembered at 100 m north, 0 m east as of 10.0 s, is 60 m from "
@@ -116,7 +116,7 @@ TEST_F(ServerMemoryTest, RelianceOnWhatHasMovedIsNonActual) {
 TEST_F(ServerMemoryTest, WithoutRelianceAMoveIsJustNews) {
   see(10, kReal, kWalker, {100, 0});
   see(70, kReal, kWalker, {160, 0});
-  EXPECT_EQ(count("non-actual-observation"), 0);
+  EXPECT_EQ(count(EventKind::kNonActualObservation), 0);
 }
 
 TEST_F(ServerMemoryTest, ASmallMoveIsNone) {
@@ -124,20 +124,20 @@ TEST_F(ServerMemoryTest, ASmallMoveIsNone) {
   see(30, kMixed, kWalker, {101, 0});
   // 5 m and three deviations of two places of 1 m: 9.24 m.
   see(70, kReal, kWalker, {109, 0});
-  EXPECT_EQ(count("non-actual-observation"), 0);
+  EXPECT_EQ(count(EventKind::kNonActualObservation), 0);
 }
 
 TEST_F(ServerMemoryTest, ALookInVainAfterRelianceIsNonActual) {
   see(10, kReal, kWalker, {100, 0});
   look(20, kReal, {100, 300});
   look(21, kReal, {148.5, 0});
-  EXPECT_EQ(count("non-actual-observation"), 0);
+  EXPECT_EQ(count(EventKind::kNonActualObservation), 0);
   see(30, kMixed, kWalker, {101, 0});
   look(40, kMixed, {100, 0});
-  EXPECT_EQ(count("non-actual-observation"), 0) << "what is virtual cannot tell";
+  EXPECT_EQ(count(EventKind::kNonActualObservation), 0) << "what is virtual cannot tell";
   look(50, kReal, {100, 0});
-  ASSERT_EQ(count("non-actual-observation"), 1);
-  EXPECT_NE(last("non-actual-observation").text.find("is not found there"),
+  ASSERT_EQ(count(EventKind::kNonActualObservation), 1);
+  EXPECT_NE(last(EventKind::kNonActualObservation).text.find("is not found there"),
             std::string::npos);
   EXPECT_EQ(memory.remembered().size(), 1u) << "the temporal model keeps it";
 }
@@ -162,7 +162,7 @@ TEST_F(LogicalServerMemoryTest, ForgetsWhatIsNotFoundWhereItWas) {
   look(1001, kReal, {100, 0});
   look(1002, kReal, {100, 0});
   EXPECT_TRUE(memory.remembered().empty());
-  EXPECT_EQ(count("forgotten"), 2);
+  EXPECT_EQ(count(EventKind::kForgotten), 2);
 }
 
 TEST_F(ServerMemoryTest, WhoeverWentThroughAnUnknownMastIsReported) {
@@ -170,9 +170,9 @@ TEST_F(ServerMemoryTest, WhoeverWentThroughAnUnknownMastIsReported) {
   fly(0, kMixed, 60, 50);
   fly(0, kReal, 0, 50);
   see(40, kReal, kMast, {100, 0});
-  ASSERT_EQ(count("unknown-object-interaction"), 1)
+  ASSERT_EQ(count(EventKind::kUnknownObjectInteraction), 1)
       << "the second was 58 m from it, and the real one met it in reality";
-  const Event& event = last("unknown-object-interaction");
+  const Event& event = last(EventKind::kUnknownObjectInteraction);
   EXPECT_EQ(event.entity, kPure);
   EXPECT_EQ(event.text,
             "passed mast at 10.0 s, 6.0 m from it (its place is known to 1.0 m); nobody "
@@ -183,13 +183,13 @@ TEST_F(ServerMemoryTest, WhatIsKnownIsNoLongerAnUnknownObject) {
   see(5, kReal, kMast, {100, 0});
   fly(10, kPure, 0, 50);
   see(40, kReal, kMast, {100, 0});
-  EXPECT_EQ(count("unknown-object-interaction"), 0);
+  EXPECT_EQ(count(EventKind::kUnknownObjectInteraction), 0);
 }
 
 TEST_F(ServerMemoryTest, WhatMovesSaysNothingAboutTheTimeBefore) {
   fly(0, kPure, 0, 31);
   see(40, kReal, kWalker, {100, 0});
-  EXPECT_EQ(count("unknown-object-interaction"), 0);
+  EXPECT_EQ(count(EventKind::kUnknownObjectInteraction), 0);
 }
 
 }  // namespace

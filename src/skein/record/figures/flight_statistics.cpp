@@ -36,20 +36,31 @@ void FlightStatistics::reserve(EntityId id, double reserve) {
 }
 
 void FlightStatistics::event(const Event& event) {
-  if (event.kind == "accident") {
-    ++accidents_;
-    broken_.insert(event.entity);
+  switch (event.kind.kind()) {
+    case EventKind::kAccident:
+      ++accidents_;
+      broken_.insert(event.entity);
+      return;
+    case EventKind::kAutopilotEnded:
+    case EventKind::kFlightModelEnded:
+      ++programs_ended_;
+      gone_.insert(event.entity);
+      return;
+    case EventKind::kAutopilotRestarted:
+    case EventKind::kFlightModelRestarted:
+      gone_.erase(event.entity);
+      return;
+    case EventKind::kFailsafe:
+      return failsafe(event);
+    default:
+      return;
   }
-  if (event.kind == "autopilot-ended" || event.kind == "flight-model-ended") {
-    ++programs_ended_;
-    gone_.insert(event.entity);
-  }
-  if (event.kind == "autopilot-restarted" || event.kind == "flight-model-restarted")
-    gone_.erase(event.entity);
-  if (event.kind != "failsafe") return;
-  // "link: return", "motor: none", "over": it begins where nothing acted before.
+}
+
+// It begins to act where nothing acted before.
+void FlightStatistics::failsafe(const Event& event) {
   bool& acting = acting_[event.entity];
-  const bool acts = event.text != "over" && !event.text.ends_with(": none");
+  const bool acts = event.numbers.value.value_or(0) > 0;
   if (acts && !acting) ++failsafes_;
   acting = acts;
 }

@@ -41,6 +41,8 @@ class FlightStatistics {
                    const std::function<std::string(EntityId)>& name_of) const;
 
  private:
+  void failsafe(const Event& event);
+
   struct Square {
     double sum = 0, count = 0;
     void add(double square) {

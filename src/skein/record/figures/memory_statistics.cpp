@@ -13,8 +13,8 @@ void MemoryStatistics::entity(const EntityReality& entity) {
 }
 
 void MemoryStatistics::event(const Event& event) {
-  if (event.kind == "non-actual-observation") ++non_actual_;
-  if (event.kind == "unknown-object-interaction") ++interactions_;
+  if (event.kind == EventKind::kNonActualObservation) ++non_actual_;
+  if (event.kind == EventKind::kUnknownObjectInteraction) ++interactions_;
 }
 
 void MemoryStatistics::add_figures(std::map<std::string, double>& figures) const {

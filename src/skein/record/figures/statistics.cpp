@@ -122,11 +122,13 @@ void RunStatistics::crossing(const Crossing& crossing) {
 void RunStatistics::event(const Event& event) {
   flight_statistics_.event(event);
   memory_.event(event);
-  if (event.kind == "allocation" && !allocation_start_) allocation_start_ = event.time;
-  if (event.kind == "over-confident" || event.kind == "trusted") judged_ = true;
-  if (event.kind == "over-confident" && !over_confident_since_)
+  if (event.kind == EventKind::kAllocation && !allocation_start_)
+    allocation_start_ = event.time;
+  if (event.kind == EventKind::kOverConfident || event.kind == EventKind::kTrusted)
+    judged_ = true;
+  if (event.kind == EventKind::kOverConfident && !over_confident_since_)
     over_confident_since_ = event.time;
-  if (event.kind == "trusted" && over_confident_since_) {
+  if (event.kind == EventKind::kTrusted && over_confident_since_) {
     over_confident_ += event.time - *over_confident_since_;
     over_confident_since_.reset();
   }

@@ -2,25 +2,8 @@
 #include "skein/record/figures/team_statistics.h"
 
 #include <algorithm>
-#include <charconv>
-#include <string_view>
 
 namespace skein::record {
-namespace {
-
-// The number that a text begins with; none: another word.
-std::optional<std::uint32_t> number_in(std::string_view text) {
-  std::uint32_t number = 0;
-  const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc()) return std::nullopt;
-  return number;
-}
-
-constexpr std::string_view kTeamTask = "team task ";
-
-}  // namespace
-
 void TeamStatistics::lead(const TeamLeadRecord& record) {
   known_ = true;
   const auto& master = record.value.master;
@@ -36,18 +19,23 @@ void TeamStatistics::allocation(const TeamAllocationReport& report) {
 }
 
 void TeamStatistics::event(const Event& event) {
-  if (event.kind == "task-done" && event.text.starts_with(kTeamTask)) {
-    if (const auto task =
-            number_in(std::string_view(event.text).substr(kTeamTask.size())))
+  const auto& task = event.numbers.team_task;
+  switch (event.kind.kind()) {
+    case EventKind::kTaskDone:
+      if (!task) return;
       done_.insert(*task);
-    end(event.entity, event.time);
-  } else if (event.kind == "team-task-over" || event.kind == "left" ||
-             event.kind == "accident") {
-    end(event.entity, event.time);
-  } else if (event.kind == "team-task") {
-    end(event.entity, event.time);
-    // Those for groups begin with another word.
-    if (const auto task = number_in(event.text)) begin(*task, event.entity, event.time);
+      return end(event.entity, event.time);
+    case EventKind::kTeamTaskOver:
+    case EventKind::kLeft:
+    case EventKind::kAccident:
+      return end(event.entity, event.time);
+    case EventKind::kTeamTask:
+      end(event.entity, event.time);
+      // Those for groups have no number.
+      if (task) begin(*task, event.entity, event.time);
+      return;
+    default:
+      return;
   }
 }
 

@@ -17,8 +17,8 @@ class TeamStatistics {
  public:
   void lead(const TeamLeadRecord& record);
   void allocation(const TeamAllocationReport& report);
-  /// "team-task", "team-task-over", "left" and "accident" say who flies which task,
-  /// "task-done" what is done.
+  /// kTeamTask, kTeamTaskOver, kLeft and kAccident say who flies which task, kTaskDone
+  /// what is done.
   void event(const Event& event);
 
   /// Adds `team_masters` (that anybody followed, stations included), `team_changes` (of

@@ -5,6 +5,7 @@
 
 #include "skein/data/describe/columns.h"
 #include "skein/data/event/live.h"
+#include "skein/record/store/event_text.h"
 #include "skein/record/store/rows.h"
 #include "skein/record/store/type_name.h"
 
@@ -116,7 +117,7 @@ class TypeScript {
       return "number | null";
     } else if constexpr (std::is_same_v<M, bool>) {
       return "boolean";
-    } else if constexpr (std::is_same_v<M, std::string>) {
+    } else if constexpr (std::is_same_v<M, std::string> || WrittenAsName<M>) {
       return "string";
     } else if constexpr (std::is_same_v<M, Vec2>) {
       return "[number, number]";
@@ -170,7 +171,7 @@ std::string records_typescript() {
   return "// SPDX-License-Identifier: Apache-2.0\n"
          "/** Made by `skein schema records` from the descriptions in "
          "src/skein/data: do not edit. */\n" +
-         types.text();
+         types.text() + events_typescript();
 }
 
 std::string records_markdown() {

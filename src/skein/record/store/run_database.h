@@ -30,8 +30,8 @@ inline constexpr std::size_t kBeliefFloats = 9;  ///< the columns of a BoundaryP
 /// 11: allocations of teams, what their messages say, copies of messages to all; 12: why
 /// messages are lost and how they went, radios and links; 13: paths ahead, reasons for
 /// tasks; 14: how sure estimates are of their altitude; 15: tasks of
-/// teams; 16: losses of separation.
-inline constexpr int kSchemaVersion = 16;
+/// teams; 16: losses of separation; 17: numbers of events.
+inline constexpr int kSchemaVersion = 17;
 
 /// The statements that make the tables.
 std::string run_schema();

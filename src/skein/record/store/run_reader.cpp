@@ -92,7 +92,7 @@ class Reader {
           &Reader::readings,  &Reader::radio,   &Reader::crossings,
           &Reader::payload,   &Reader::memory,  &Reader::traffic,
           &Reader::alerts,    &Reader::bands,   &Reader::recommendations,
-          &Reader::missions,  &Reader::summary})
+          &Reader::missions,  &Reader::team,    &Reader::summary})
       if (auto done = (this->*part)(); !done) return done.error();
     return std::move(run_);
   }
@@ -170,20 +170,26 @@ class Reader {
     std::stable_sort(run_.events.begin(), run_.events.end(),
                      [](const Event& a, const Event& b) { return a.time < b.time; });
     run_.events_left_out = total - static_cast<int>(run_.events.size());
-    done =
-        rows("events", "kind, text, entity_id",
-             "WHERE kind IN ('accident', 'failsafe', 'non-actual-observation',"
-             " 'unknown-object-interaction') ORDER BY rowid",
-             [this](const Statement& row) {
-               statistics_.event({Time(), entity_id(row, 3), row.text(1), row.text(2)});
-             });
+    // Only for the figures of a run that was cut off, but when allocation began.
+    return records<Event>("ORDER BY rowid", [this](const Event& event) {
+      statistics_.event(event);
+      statistics_.missions().event(event);
+      statistics_.team().event(event);
+      if (event.kind == EventKind::kAllocation)
+        run_.allocation_start = std::fmin(run_.allocation_start, event.time.seconds());
+    });
+  }
+
+  // Likewise.
+  Result<void> team() {
+    auto done = records<TeamLeadRecord>(
+        "ORDER BY rowid",
+        [this](const TeamLeadRecord& record) { statistics_.team().lead(record); });
     if (!done) return done;
-    return sums("SELECT min(time_s) AS time_s FROM events WHERE kind = 'allocation'",
-                "table events", [this](const Statement& row) {
-                  if (row.is_null(0)) return;
-                  run_.allocation_start = row.seconds(0);
-                  statistics_.event({time_of_row(row, 0), {}, "allocation", ""});
-                });
+    return records<TeamAllocationRecord>("ORDER BY rowid",
+                                         [this](const TeamAllocationRecord& record) {
+                                           statistics_.team().allocation(record.report);
+                                         });
   }
 
   Result<void> metrics() {

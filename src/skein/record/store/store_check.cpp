@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "skein/base/folder_lock.h"
+#include "skein/record/store/older_tables.h"
 #include "skein/record/store/record_table.h"
 #include "skein/record/store/run_database.h"
 
@@ -51,18 +52,21 @@ Result<std::map<std::string, StoredTable>> expected_tables() {
   return tables_of(made.value());
 }
 
-Result<void> check_version(Sqlite& database, bool empty) {
+// @returns the version.
+Result<int> check_version(Sqlite& database, bool empty) {
   std::int64_t schema = 0;
   auto done = for_each_row(database, "PRAGMA user_version",
                            [&](const Statement& row) { schema = row.integer(0); });
-  if (!done) return done;
+  if (!done) return done.error();
   if (empty)
     return Error{ErrorCode::kBadInput, database.file().string(),
                  "holds no run: it was ended before anything was recorded.", kRunAgain};
-  if (schema == kSchemaVersion) return {};
+  if (schema >= kOldestSchema && schema <= kSchemaVersion)
+    return static_cast<int>(schema);
   return Error{ErrorCode::kBadInput, database.file().string(),
                "its tables are of version " + std::to_string(schema) +
-                   ", this program reads version " + std::to_string(kSchemaVersion) + ".",
+                   ", this program reads versions " + std::to_string(kOldestSchema) +
+                   " to " + std::to_string(kSchemaVersion) + ".",
                "Use the program that recorded it, or run the scenario again."};
 }
 
@@ -106,20 +110,27 @@ Result<void> check_store(Sqlite& database) {
   if (!tables) return tables.error();
   const auto expected = expected_tables();
   if (!expected) return expected.error();
-  if (auto done = check_version(database, tables.value().empty()); !done) return done;
+  const auto version = check_version(database, tables.value().empty());
+  if (!version) return version.error();
+  std::map<std::string, std::vector<std::string>> present;
   for (const auto& [name, table] : expected.value()) {
+    present[name] = table.columns;
+    if (may_lack(version.value(), name)) continue;
     const auto found = tables.value().find(name);
     if (found == tables.value().end())
       return damaged(database, "", "has no table " + name + ".");
     for (const std::string& column : table.columns)
-      if (std::ranges::find(found->second.columns, column) == found->second.columns.end())
+      if (std::ranges::find(found->second.columns, column) ==
+              found->second.columns.end() &&
+          !may_lack(version.value(), name, column))
         return damaged(database, "table " + name, "has no column " + column + ".");
     if (table.has_rows != found->second.has_rows)
       return damaged(database, "table " + name, "is made otherwise than a run's.");
     if (table.has_rows)
       if (auto done = check_rows(database, name); !done) return done;
   }
-  return check_inside(database);
+  if (auto done = check_inside(database); !done) return done;
+  return show_as_present(database, version.value(), present);
 }
 
 Error state_of_run(const std::filesystem::path& folder, const Error& otherwise) {

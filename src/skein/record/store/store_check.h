@@ -19,10 +19,10 @@ inline constexpr double kLatestRecord = 1e7;
 Error damaged(const Sqlite& database, const std::string& what,
               const std::string& problem);
 
-/// Whether a database that shall be read has the tables that this program writes: of this
-/// version, no views in their place, rows numbered from 1 to at most kMaxRow, and, of a
-/// small file, sound inside. Every reader of stored runs begins with it.
-/// Fails: kBadInput; what is wrong, and what can be done.
+/// Whether a database that shall be read has the tables that this program writes, or did
+/// in a version that it still reads (older_tables.h): no views in their place, rows
+/// numbered from 1 to at most kMaxRow, and, of a small file, sound inside. Every reader
+/// of stored runs begins with it. Fails: kBadInput; what is wrong, and what can be done.
 Result<void> check_store(Sqlite& database);
 
 /// What is in a folder where a run was to be, in words for the user: what it is and what

@@ -71,7 +71,7 @@ class Table {
       return "f64";
     else if constexpr (std::is_same_v<T, Time>)
       return "time";
-    else if constexpr (std::is_same_v<T, std::string>)
+    else if constexpr (std::is_same_v<T, std::string> || WrittenAsName<T>)
       return "text";
     else if constexpr (std::is_same_v<T, Vec2>)
       return "vec2";

@@ -35,7 +35,7 @@ TEST(FlightStatistics, CountsWhoStandsOnTheGroundHavingFlown) {
     statistics.truth(time, crashes, at(0, 0, t > 0));
   }
   EXPECT_EQ(figures(statistics).at("aircraft_landed"), 2);
-  statistics.event({Time::from_seconds(5), crashes, "accident", "too fast"});
+  statistics.event({Time::from_seconds(5), crashes, EventKind::kAccident, "too fast"});
   EXPECT_EQ(figures(statistics).at("aircraft_landed"), 1);
 }
 
@@ -78,9 +78,9 @@ TEST(FlightStatistics, OfWhoNeverSaysAnythingThereIsNoErrorOfPosition) {
 TEST(FlightStatistics, CountsProgramsThatEndedAndThoseThatAreGone) {
   FlightStatistics statistics;
   EXPECT_FALSE(figures(statistics).contains("outside_programs_ended"));
-  statistics.event({Time(), EntityId{1}, "autopilot-ended", "ended with 1"});
-  statistics.event({Time(), EntityId{2}, "flight-model-ended", "ended with 1"});
-  statistics.event({Time(), EntityId{1}, "autopilot-restarted", "again"});
+  statistics.event({Time(), EntityId{1}, EventKind::kAutopilotEnded, "ended with 1"});
+  statistics.event({Time(), EntityId{2}, EventKind::kFlightModelEnded, "ended with 1"});
+  statistics.event({Time(), EntityId{1}, EventKind::kAutopilotRestarted, "again"});
   EXPECT_EQ(figures(statistics).at("outside_programs_ended"), 2);
   EXPECT_EQ(figures(statistics).at("outside_programs_gone"), 1);
 }

@@ -225,7 +225,7 @@ TEST(FormationFigures, LeaveOutWhoTakesNoFurtherPart) {
   const FormationGoal goal{{1}, {{2}, {3}}, {{-30, 30}, {-30, -30}}};
   statistics.mission(change(0, MissionState::kBegun, goal));
   fly_formation(statistics, 0, 50, 0);
-  statistics.event({at(50), {3}, "left", ""});
+  statistics.event({at(50), {3}, EventKind::kLeft, ""});
   for (double time = 51; time <= 100; time += 1) {
     statistics.truth(at(time), {1}, {20 * time, 0, -100});
     statistics.truth(at(time), {2}, {20 * time - 30, 30, -100});
@@ -238,7 +238,7 @@ TEST(FormationFigures, NobodyIsInPlaceWhileTheLeaderIsGone) {
   const FormationGoal goal{{1}, {{2}, {3}}, {{-30, 30}, {-30, -30}}};
   statistics.mission(change(0, MissionState::kBegun, goal));
   fly_formation(statistics, 0, 50, 0);
-  statistics.event({at(50), {1}, "left", ""});
+  statistics.event({at(50), {1}, EventKind::kLeft, ""});
   for (double time = 51; time <= 100; time += 1) {
     statistics.truth(at(time), {2}, {20 * time - 30, 30, -100});
     statistics.truth(at(time), {3}, {20 * time - 30, -30, -100});

@@ -150,10 +150,12 @@ TEST(SummaryRecorder, AddsUpTheTimeInWhichTheBeliefWasOverConfident) {
       };
   EXPECT_FALSE(over_confident_s({})) << "never judged";
   EXPECT_EQ(over_confident_s({{50, "trusted"}}), 0);
-  EXPECT_EQ(
-      over_confident_s({{50, "trusted"}, {100, "over-confident"}, {160, "trusted"}}), 60);
   EXPECT_EQ(over_confident_s(
-                {{100, "over-confident"}, {160, "trusted"}, {250, "over-confident"}}),
+                {{50, "trusted"}, {100, EventKind::kOverConfident}, {160, "trusted"}}),
+            60);
+  EXPECT_EQ(over_confident_s({{100, EventKind::kOverConfident},
+                              {160, "trusted"},
+                              {250, EventKind::kOverConfident}}),
             110);
 }
 

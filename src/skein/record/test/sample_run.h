@@ -136,8 +136,8 @@ inline void record_sample(Recorder& recorder, int seconds, int aircraft = 2,
       }
     }
     if (step == 60 * rows_per_second)
-      recorder.record(
-          Event{now, ground, "allocation", "every aircraft has found the fire"});
+      recorder.record(Event{now, ground, EventKind::kAllocation,
+                            "every aircraft has found the fire"});
     if (whole_second && step % (5 * rows_per_second) == 0) {
       const double sigma = 10 + 40 * std::exp(-t / 200);
       BoundaryEstimate belief =

@@ -32,21 +32,21 @@ TEST(TeamStatistics, CountsAllocationsOnlyWhereTheyWait) {
 TEST(TeamStatistics, CountsHowLongTwoFlyOneTask) {
   TeamStatistics team;
   team.lead({Time(), EntityId{1}, {"M", EntityId{1}, {{1}}, TeamReason::kSelected}});
-  const auto says = [&](double time, std::uint32_t who, const char* kind,
-                        const char* text) {
-    team.event({Time::from_seconds(time), EntityId{who}, kind, text});
+  const auto says = [&](double time, std::uint32_t who, EventKind kind,
+                        std::optional<std::uint32_t> task = {}) {
+    team.event({Time::from_seconds(time), EntityId{who}, kind, "", {.team_task = task}});
   };
-  says(1, 1, "team-task", "3: measure");
-  says(10, 2, "team-task", "3: measure");
-  says(14, 1, "left", "lost");
-  says(20, 3, "team-task", "group 4: watch");
-  says(20, 4, "team-task", "group 4: watch");
-  says(30, 5, "team-task", "3: measure");
+  says(1, 1, EventKind::kTeamTask, 3);
+  says(10, 2, EventKind::kTeamTask, 3);
+  says(14, 1, EventKind::kLeft);
+  says(20, 3, EventKind::kTeamTask);
+  says(20, 4, EventKind::kTeamTask);
+  says(30, 5, EventKind::kTeamTask, 3);
   std::map<std::string, double> figures;
   team.add_figures(figures, Time::from_seconds(37));
   EXPECT_EQ(figures.at("team_double_max_s"), 7);
   EXPECT_EQ(figures.at("team_double_total_s"), 11);
-  says(40, 2, "accident", "");
+  says(40, 2, EventKind::kAccident);
   team.add_figures(figures, Time::from_seconds(50));
   EXPECT_EQ(figures.at("team_double_max_s"), 10);
   EXPECT_EQ(figures.at("team_double_total_s"), 14);

@@ -107,9 +107,10 @@ class Watched {
   }
 
   void check_events() {
-    std::vector<VehicleEvent> events = {{"before", "said by somebody else"}};
+    const EventLabel before = EventLabel::named("before");
+    std::vector<VehicleEvent> events = {{before, "said by somebody else"}};
     vehicle_->take_events(events);
-    checks_.expect(!events.empty() && events.front().kind == "before",
+    checks_.expect(!events.empty() && events.front().kind == before,
                    "take_events() removes what is there already");
     const std::size_t count = events.size();
     vehicle_->take_events(events);

@@ -73,11 +73,12 @@ Violations agent_violations(const Make<Agent>& make, const NavEstimate* nav) {
     if (nav != nullptr) in.samples = samples;
     in.inbox = inbox;
     AgentOutput out, other;
-    out.events.push_back({in.now, EntityId{7}, "before", "said by somebody else"});
+    const EventLabel before = EventLabel::named("before");
+    out.events.push_back({in.now, EntityId{7}, before, "said by somebody else"});
     other.events = out.events;
     agent->step(in, out);
     twin->step(in, other);
-    checks.expect(!out.events.empty() && out.events.front().kind == "before",
+    checks.expect(!out.events.empty() && out.events.front().kind == before,
                   "step() removes what is in the output already");
     checks.expect(!out.command || nav != nullptr, "it commands, but has no vehicle");
     checks.expect(!out.command || command_is_finite(*out.command),

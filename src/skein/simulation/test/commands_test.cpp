@@ -33,7 +33,8 @@ class Office : public Agent {
   void step(const AgentInput& in, AgentOutput& out) override {
     for (const Command& command : in.commands)
       if (const auto* change = std::get_if<ZoneChange>(&command)) {
-        out.events.push_back({in.now, EntityId{2}, "command", change->zone.name});
+        out.events.push_back(
+            {in.now, EntityId{2}, EventLabel::named("command"), change->zone.name});
         out.records.emplace_back(*change);
       }
   }

@@ -27,6 +27,9 @@
 
 namespace skein::simulation::test {
 
+// What a glider says of a message that arrived.
+inline const EventLabel kHeard = EventLabel::named("heard");
+
 class Ground : public Terrain {
  public:
   double elevation_msl(const Vec2&) const override { return 0; }
@@ -108,7 +111,7 @@ class Talker : public Agent {
   void step(const AgentInput& in, AgentOutput& out) override {
     for (const Message& message : in.inbox)
       out.events.push_back(
-          {in.now, message.from, "heard", std::to_string(message.number)});
+          {in.now, message.from, kHeard, std::to_string(message.number)});
     if (in.now == Time::from_seconds(4)) out.records.emplace_back(Crossing{in.now, to_});
     Message message;
     message.to = to_;
@@ -152,10 +155,13 @@ class Notes : public Recorder {
     ++messages;
   }
   void note(const Event& e) {
-    text += fmt::format("E{} {} {} {};", e.time.ns(), e.entity.value, e.kind, e.text);
+    text +=
+        fmt::format("E{} {} {} {};", e.time.ns(), e.entity.value, e.kind.name(), e.text);
     // These gliders fly through each other.
-    const bool counts = e.kind != "heard" && !e.kind.starts_with("separation-");
-    if (counts) kinds += e.kind + " ";
+    const bool counts = e.kind != kHeard && e.kind != EventKind::kSeparationLost &&
+                        e.kind != EventKind::kSeparationRestored &&
+                        e.kind != EventKind::kSeparationNotRestored;
+    if (counts) kinds.append(e.kind.name()).append(" ");
   }
   void note(const Crossing& c) {
     text += fmt::format("C{} {};", c.time.ns(), c.aircraft.value);

@@ -43,6 +43,8 @@ class Drawer {
       value.normalize();
     } else if constexpr (NamedEnum<T>) {
       value = static_cast<T>(below(names_of(static_cast<const T*>(nullptr)).size()));
+    } else if constexpr (WrittenAsName<T>) {
+      value = T::named("name-" + std::to_string(below(1000)));
     } else if constexpr (std::is_same_v<T, std::string>) {
       value = "text " + std::to_string(below(1000)) + " \xC3\xA9";
     } else if constexpr (kIsId<T>) {

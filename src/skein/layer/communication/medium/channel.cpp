@@ -69,10 +69,11 @@ void Channel::transmit(const Frame& frame, Time now) {
     return;
   }
   const Time first = now + on_air.links.front().delay;
-  schedule_.add(first, EventKind::kArrival, index);
+  schedule_.add(first, ScheduledKind::kArrival, index);
   // A piece of noise may be shorter than the window, and nobody detects it.
-  if (!frame.noise) schedule_.add(first + phy_.lock_window, EventKind::kDetection, index);
-  schedule_.add(first + frame.duration, EventKind::kEnd, index);
+  if (!frame.noise)
+    schedule_.add(first + phy_.lock_window, ScheduledKind::kDetection, index);
+  schedule_.add(first + frame.duration, ScheduledKind::kEnd, index);
 }
 
 // Does `step` for the receivers of a frame in turn, each at its own time, until something
@@ -100,17 +101,17 @@ void Channel::handle(const Schedule::Event& event) {
   const FrameIndex index = event.index;
   const Time start = on_air_[index].start;
   switch (event.kind) {
-    case EventKind::kArrival:
+    case ScheduledKind::kArrival:
       pass(event, start, &OnAir::next_arrival, all,
            [&](const OnAir& on_air, std::uint32_t k, Time now) {
              arrive(index, on_air.links[k], now);
            });
       return;
-    case EventKind::kDetection:
+    case ScheduledKind::kDetection:
       pass(event, start + phy_.lock_window, &OnAir::next_detection, all,
            [&](const OnAir&, std::uint32_t k, Time now) { detect(index, k, now); });
       return;
-    case EventKind::kHeader:
+    case ScheduledKind::kHeader:
       pass(
           event, start + phy_.preamble_header, &OnAir::next_header,
           [](const OnAir& on_air, std::uint32_t k) {
@@ -120,7 +121,7 @@ void Channel::handle(const Schedule::Event& event) {
             finish_header(index, on_air.links[on_air.locked[k]], now);
           });
       return;
-    case EventKind::kEnd:
+    case ScheduledKind::kEnd:
       if (pass(event, start + on_air_[index].frame.duration, &OnAir::next_end, all,
                [&](const OnAir& on_air, std::uint32_t k, Time now) {
                  finish(index, on_air.links[k], now);
@@ -176,7 +177,7 @@ void Channel::detect(FrameIndex index, std::uint32_t place, Time now) {
   receiver.least_ratio = std::numeric_limits<double>::infinity();
   receiver.log_header = receiver.log_payload = 0;
   if (on_air.next_header == on_air.locked.size())
-    schedule_.add(receiver.payload_begin, EventKind::kHeader, index);
+    schedule_.add(receiver.payload_begin, ScheduledKind::kHeader, index);
   on_air.locked.push_back(place);
   listener_.on_busy(link.to, now, receiver.payload_begin);
 }

@@ -97,7 +97,7 @@ void Dcf::expect_access(NodeIndex node, Time now) {
   if (station.access_expected && station.access_at <= at) return;
   station.access_expected = true;
   station.access_at = at;
-  schedule_.add(at, EventKind::kAccess, node, ++station.access_stamp);
+  schedule_.add(at, ScheduledKind::kAccess, node, ++station.access_stamp);
 }
 
 void Dcf::on_access(NodeIndex node, Time now) {
@@ -149,7 +149,7 @@ void Dcf::send_data(NodeIndex node, Time now) {
   send(data, now);
   if (to_all) {
     station.waiting = Waiting::kSending;
-    schedule_.add(now + data.duration, EventKind::kSent, node);
+    schedule_.add(now + data.duration, ScheduledKind::kSent, node);
   } else {
     await(node, Waiting::kAck, now + data.duration + mac_.ack_timeout);
   }
@@ -170,12 +170,12 @@ void Dcf::await(NodeIndex node, Waiting what, Time until) {
   station.waiting = what;
   station.timeout_end = until;
   station.timeout_at = until;
-  schedule_.add(until, EventKind::kTimeout, node, ++station.timeout_stamp);
+  schedule_.add(until, ScheduledKind::kTimeout, node, ++station.timeout_stamp);
 }
 
 void Dcf::respond(NodeIndex node, const Frame& frame, Time now) {
   stations_[node].response = frame;
-  schedule_.add(now + mac_.sifs, EventKind::kResponse, node);
+  schedule_.add(now + mac_.sifs, ScheduledKind::kResponse, node);
 }
 
 void Dcf::handle(const Schedule::Event& event) {
@@ -183,22 +183,22 @@ void Dcf::handle(const Schedule::Event& event) {
   Station& station = stations_[node];
   const Time now = event.time;
   switch (event.kind) {
-    case EventKind::kAccess:
+    case ScheduledKind::kAccess:
       if (event.stamp == station.access_stamp) on_access(node, now);
       return;
-    case EventKind::kTimeout:
+    case ScheduledKind::kTimeout:
       if (event.stamp == station.timeout_stamp) on_timeout(node, now);
       return;
-    case EventKind::kResponse:
+    case ScheduledKind::kResponse:
       if (station.response.kind == FrameKind::kData)
         send_data(node, now);
       else
         send(station.response, now);
       return;
-    case EventKind::kSent:
+    case ScheduledKind::kSent:
       finish(node, PacketEnd::kDone, now);
       return;
-    case EventKind::kNavReset:
+    case ScheduledKind::kNavReset:
       if (!station.nav_may_reset || event.stamp != station.nav_stamp) return;
       station.nav_may_reset = false;
       station.nav_end = now;
@@ -224,7 +224,8 @@ void Dcf::on_payload(NodeIndex node, Time now, Time until) {
   if (station.waiting == Waiting::kCts || station.waiting == Waiting::kAck) {
     // The answer may be in it: the time-out waits for its end.
     station.timeout_at = until + Time::from_ns(1);
-    schedule_.add(station.timeout_at, EventKind::kTimeout, node, ++station.timeout_stamp);
+    schedule_.add(station.timeout_at, ScheduledKind::kTimeout, node,
+                  ++station.timeout_stamp);
   }
 }
 
@@ -300,7 +301,8 @@ void Dcf::reserve(NodeIndex node, const Frame& frame, Time now) {
   station.nav_end = until;
   if (frame.kind != FrameKind::kRts) return;
   station.nav_may_reset = true;
-  schedule_.add(now + nav_reset_delay_, EventKind::kNavReset, node, ++station.nav_stamp);
+  schedule_.add(now + nav_reset_delay_, ScheduledKind::kNavReset, node,
+                ++station.nav_stamp);
 }
 
 void Dcf::on_timeout(NodeIndex node, Time now) {

@@ -50,14 +50,14 @@ void DirectAccess::begin(NodeIndex node, Time now) {
                    .duration = phy_.airtime(bytes)};
   station.on_the_way.push_back(data);
   listener_.on_frame(data, now);
-  schedule_.add(now + data.duration, EventKind::kSent, node);
-  schedule_.add(now + data.duration + mac_.latency, EventKind::kResponse, node);
+  schedule_.add(now + data.duration, ScheduledKind::kSent, node);
+  schedule_.add(now + data.duration + mac_.latency, ScheduledKind::kResponse, node);
 }
 
 void DirectAccess::handle(const Schedule::Event& event) {
   const NodeIndex node = event.index;
-  if (event.kind == EventKind::kResponse) return arrive(node, event.time);
-  SKEIN_CHECK(event.kind == EventKind::kSent);
+  if (event.kind == ScheduledKind::kResponse) return arrive(node, event.time);
+  SKEIN_CHECK(event.kind == ScheduledKind::kSent);
   // Whoever waits for its end hears of it when it has arrived.
   stations_[node].queue.pop_front();
   begin(node, event.time);

@@ -46,13 +46,13 @@ void Medium::advance(Time until) {
   while (!schedule_.empty() && schedule_.next_time() < until) {
     const Schedule::Event event = schedule_.take();
     now_ = event.time;
-    if (event.kind < EventKind::kAccess)
+    if (event.kind < ScheduledKind::kAccess)
       channel_.handle(event);
-    else if (event.kind < EventKind::kOrder)
+    else if (event.kind < ScheduledKind::kOrder)
       access_->handle(event);
-    else if (event.kind == EventKind::kOrder)
+    else if (event.kind == ScheduledKind::kOrder)
       hand_over(event.index);
-    else if (event.kind == EventKind::kExpiry)
+    else if (event.kind == ScheduledKind::kExpiry)
       drop_expired(event.index);
     else
       channel_.transmit({.from = event.index,
@@ -74,13 +74,13 @@ void Medium::send_at(Time time, const PacketOrder& order) {
     free_orders_.pop_back();
     orders_[place] = order;
   }
-  schedule_.add(std::max(time, now_), EventKind::kOrder, place);
+  schedule_.add(std::max(time, now_), ScheduledKind::kOrder, place);
 }
 
 void Medium::send_noise_at(Time time, NodeIndex node, Time duration) {
   const auto length = static_cast<std::uint32_t>(duration.ns());
   SKEIN_CHECK(node < links_.size() && length > 0 && length == duration.ns());
-  schedule_.add(std::max(time, now_), EventKind::kNoise, node, length);
+  schedule_.add(std::max(time, now_), ScheduledKind::kNoise, node, length);
 }
 
 void Medium::hand_over(std::uint32_t place) {
@@ -117,7 +117,7 @@ void Medium::expect_expiry(NodeIndex node) {
   if (!oldest) return;
   expiry_expected_[node] = true;
   schedule_.add(std::max(now_, *oldest + *profile_.mac.queue_lifetime) + Time::from_ns(1),
-                EventKind::kExpiry, node);
+                ScheduledKind::kExpiry, node);
 }
 
 void Medium::drop_expired(NodeIndex node) {

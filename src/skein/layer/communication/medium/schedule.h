@@ -10,7 +10,7 @@
 namespace skein::communication {
 
 /// What happens next in the medium.
-enum class EventKind : std::uint8_t {
+enum class ScheduledKind : std::uint8_t {
   // Of a frame on the air; at each of its receivers, one after the other.
   kArrival,    ///< its first bit arrives
   kDetection,  ///< it is detected, or not
@@ -34,7 +34,7 @@ class Schedule {
   struct Event {
     Time time;
     std::uint64_t order = 0;
-    EventKind kind = EventKind::kAccess;
+    ScheduledKind kind = ScheduledKind::kAccess;
     std::uint32_t index = 0;  ///< of the frame on the air or the station
     std::uint32_t stamp = 0;  ///< tells an event that still counts from one that does not
   };
@@ -42,7 +42,7 @@ class Schedule {
   bool empty() const { return heap_.empty(); }
   Time next_time() const { return heap_.front().time; }
 
-  void add(Time time, EventKind kind, std::uint32_t index, std::uint32_t stamp = 0) {
+  void add(Time time, ScheduledKind kind, std::uint32_t index, std::uint32_t stamp = 0) {
     put_back({time, next_order_++, kind, index, stamp});
   }
 

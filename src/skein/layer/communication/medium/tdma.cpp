@@ -35,12 +35,12 @@ void Tdma::enqueue(std::uint32_t packet, Time now) {
   station.queue.push(packet, packets_[packet].order.urgency);
   if (station.awake) return;
   station.awake = true;
-  schedule_.add(next_slot(node, now), EventKind::kAccess, node);
+  schedule_.add(next_slot(node, now), ScheduledKind::kAccess, node);
 }
 
 void Tdma::handle(const Schedule::Event& event) {
   const NodeIndex node = event.index;
-  if (event.kind == EventKind::kSent) finish(node, PacketEnd::kDone, event.time);
+  if (event.kind == ScheduledKind::kSent) finish(node, PacketEnd::kDone, event.time);
   use_slot(node, event.time);
 }
 
@@ -58,7 +58,7 @@ void Tdma::use_slot(NodeIndex node, Time now) {
     const Time frame_end =
         slot == now ? now + mac_.slot : slot + mac_.slot - mac_.slot * slots_;
     if (now + duration > frame_end) {
-      schedule_.add(slot, EventKind::kAccess, node);
+      schedule_.add(slot, ScheduledKind::kAccess, node);
       return;
     }
     ++packet.transmissions;
@@ -72,7 +72,7 @@ void Tdma::use_slot(NodeIndex node, Time now) {
                      .duration = duration};
     listener_.on_frame(data, now);
     channel_->transmit(data, now);
-    schedule_.add(now + duration, EventKind::kSent, node);
+    schedule_.add(now + duration, ScheduledKind::kSent, node);
     return;
   }
   station.awake = false;

@@ -77,7 +77,7 @@ void Attackers::step(Time now, AttackOrders& orders, std::vector<Event>& events)
 
 void Attackers::announce(Attacker& attacker, Time now, std::vector<Event>& events) {
   const Attack& attack = attacker.attack;
-  const auto say = [&](const char* event) {
+  const auto say = [&](EventKind event) {
     events.push_back({now, EntityId{}, event,
                       fmt::format("{} ({}) at {:.0f}, {:.0f} m, {:.4g} dBm", attack.name,
                                   kind_of(attack), attack.place.x(), attack.place.y(),
@@ -85,11 +85,11 @@ void Attackers::announce(Attacker& attacker, Time now, std::vector<Event>& event
   };
   if (!attacker.begun && attack.from <= now) {
     attacker.begun = true;
-    say("attack-begins");
+    say(EventKind::kAttackBegins);
   }
   if (attacker.begun && !attacker.ended && attack.until && *attack.until <= now) {
     attacker.ended = true;
-    say("attack-ends");
+    say(EventKind::kAttackEnds);
   }
 }
 

@@ -59,8 +59,11 @@ std::optional<Event> RefusalLog::note(Time now, EntityId receiver, EntityId send
   std::string text =
       fmt::format("in the name of {}: {}", sender_name, reason_of(verdict));
   if (more > 0) text += fmt::format("; {} since it was last said", more);
-  return Event{now, receiver, refused ? "message-refused" : "message-doubted",
-               std::move(text)};
+  return Event{now,
+               receiver,
+               refused ? EventKind::kMessageRefused : EventKind::kMessageDoubted,
+               std::move(text),
+               {.other = sender}};
 }
 
 }  // namespace skein::communication

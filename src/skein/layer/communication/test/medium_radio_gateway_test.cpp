@@ -172,7 +172,7 @@ TEST(MediumRadioGateway, NobodyFindsARealOneAsANeighbour) {
   air.steps(50);
   Set found;
   for (const Event& event : air.news.events) {
-    EXPECT_EQ(event.kind, "neighbour-found");
+    EXPECT_EQ(event.kind, EventKind::kNeighbourFound);
     found.insert(event.entity.value);
     EXPECT_TRUE(event.text == "node 0" || event.text == "node 1") << event.text;
   }

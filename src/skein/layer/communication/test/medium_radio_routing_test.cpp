@@ -149,15 +149,15 @@ TEST(MediumRadioRouting, FindsNeighboursAndLosesThem) {
   options.advertisement_period = 1;
   Chain chain(nullptr, options, 3);
   chain.steps(40);
-  const auto count = [&](const char* kind) {
+  const auto count = [&](EventKind kind) {
     return std::count_if(chain.news.events.begin(), chain.news.events.end(),
                          [&](const Event& event) { return event.kind == kind; });
   };
-  EXPECT_EQ(count("neighbour-found"), 4) << "0-1 and 1-2, each of the other";
-  EXPECT_EQ(count("neighbour-lost"), 0);
+  EXPECT_EQ(count(EventKind::kNeighbourFound), 4) << "0-1 and 1-2, each of the other";
+  EXPECT_EQ(count(EventKind::kNeighbourLost), 0);
   chain.remove(2);
   chain.steps(60);
-  EXPECT_EQ(count("neighbour-lost"), 2);
+  EXPECT_EQ(count(EventKind::kNeighbourLost), 2);
   EXPECT_EQ(chain.news.events.back().time.seconds() > 6, true)
       << "not before three periods of silence";
 }

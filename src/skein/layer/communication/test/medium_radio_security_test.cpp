@@ -63,7 +63,7 @@ class Team {
       return each.cause == cause && each.message.forged == forged;
     });
   }
-  long events(std::string_view kind) const {
+  long events(EventKind kind) const {
     return std::ranges::count_if(news.events,
                                  [&](const Event& event) { return event.kind == kind; });
   }
@@ -148,7 +148,7 @@ TEST(MediumRadioSecurity, AFalseOrderArrivesAndIsRecordedAsForged) {
   EXPECT_GE(team.count(LossCause::kNone, true), 4);
   EXPECT_EQ(team.news.ended[0].message.from, EntityId{0});
   EXPECT_TRUE(std::holds_alternative<Task>(team.news.ended[0].message.content));
-  EXPECT_EQ(team.events("attack-begins"), 1);
+  EXPECT_EQ(team.events(EventKind::kAttackBegins), 1);
   EXPECT_TRUE(team.radio().take_statistics().links.empty())
       << "0 and 1 have not said a word";
 }
@@ -161,7 +161,7 @@ TEST(MediumRadioSecurity, AFalseOrderIsRefusedWithAuthentication) {
   EXPECT_EQ(team.count(LossCause::kNone, true), 0);
   EXPECT_GE(team.count(LossCause::kRefused, true), 9);
   EXPECT_EQ(team.count(LossCause::kNone, false), team.sent()) << "nothing else is";
-  EXPECT_EQ(team.events("message-refused"), 1) << "said once";
+  EXPECT_EQ(team.events(EventKind::kMessageRefused), 1) << "said once";
 }
 
 TEST(MediumRadioSecurity, DoubtsAreReportedWhereAuthenticationIsNotRequired) {
@@ -172,7 +172,7 @@ TEST(MediumRadioSecurity, DoubtsAreReportedWhereAuthenticationIsNotRequired) {
   team.talk(10);
   EXPECT_GE(team.count(LossCause::kNone, true), 9);
   EXPECT_EQ(team.count(LossCause::kRefused, true), 0);
-  EXPECT_EQ(team.events("message-doubted"), 1);
+  EXPECT_EQ(team.events(EventKind::kMessageDoubted), 1);
 }
 
 TEST(MediumRadioSecurity, ReplayedMessagesArriveAgainButForTheirCounters) {
@@ -191,7 +191,7 @@ TEST(MediumRadioSecurity, ReplayedMessagesArriveAgainButForTheirCounters) {
     EXPECT_GT(closed.count(LossCause::kRefused, true), 50);
     EXPECT_EQ(closed.count(LossCause::kRefused, false), 0);
     // 1 and 0 of 2, 1 of 0.
-    EXPECT_EQ(closed.events("message-refused"), 3);
+    EXPECT_EQ(closed.events(EventKind::kMessageRefused), 3);
   }
 }
 
@@ -234,7 +234,7 @@ TEST(MediumRadioSecurity, FloodingPassesNothingForgedOn) {
   closed.steps(50);
   EXPECT_EQ(closed.count(LossCause::kNone, true), 0);
   EXPECT_EQ(closed.count(LossCause::kRefused, true), 0) << "it never reaches 1";
-  EXPECT_EQ(closed.events("message-refused"), 1) << "0 refuses to pass it on";
+  EXPECT_EQ(closed.events(EventKind::kMessageRefused), 1) << "0 refuses to pass it on";
 }
 
 // The last piece of noise before its end, and each of a quick one, are shorter than it

@@ -82,10 +82,12 @@ void LiveFeed::add(LiveItem item) {
 
 // Refusals come at once by the run itself, later by those whom a command concerns.
 void LiveFeed::take_fate(const Event& event) {
-  if (event.kind == "command-refused") return settle(RequestState::kRefused, event.text);
+  if (event.kind == EventKind::kCommandRefused)
+    return settle(RequestState::kRefused, event.text);
   const auto name = names_.find(event.entity);
-  const bool is_zone = event.kind == "zone-refused";
-  const bool is_aircraft = event.kind == "task-refused" || event.kind == "flight-refused";
+  const bool is_zone = event.kind == EventKind::kZoneRefused;
+  const bool is_aircraft =
+      event.kind == EventKind::kTaskRefused || event.kind == EventKind::kFlightRefused;
   if (!is_zone && (!is_aircraft || name == names_.end())) return;
   const std::string whose = is_zone ? "zone" : name->second;
   if (current_ && current_->about == whose)

@@ -81,7 +81,7 @@ TEST(TerminalConsole, AlertsStayAboveTheProgress) {
   {
     TerminalConsole console(stop, file.get(), true, 120);
     console.show(half_way());
-    console.announce({Time::from_seconds(1801), EntityId{1}, "traffic-alert",
+    console.announce({Time::from_seconds(1801), EntityId{1}, EventKind::kTrafficAlert,
                       "traffic, 2 o'clock, 1.2 km, 40 m above, turn right 080"},
                      "uav-2");
     console.show(half_way());

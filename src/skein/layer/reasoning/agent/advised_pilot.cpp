@@ -70,7 +70,7 @@ void AdvisedPilot::show(const FlightIntent& advised, std::string_view reason,
     const double reaction = random_.uniform(options_.reaction_min, options_.reaction_max);
     obeys_ = random_.uniform() < options_.obeys;
     acts_ = in.now + Time::from_seconds(reaction);
-    out.events.push_back({in.now, self_, "recommended", std::string(reason)});
+    out.events.push_back({in.now, self_, EventKind::kRecommended, std::string(reason)});
   }
   reason_ = reason;
   shown_number_ = advised.number;

@@ -122,12 +122,12 @@ void LandingPlanner::begin(Leg leg, const TaskStep& step, AgentOutput& out) {
   leg_ = leg;
   if (leg == Leg::kHold)
     out.events.push_back(
-        {step.in.now, context_.self, "landing-wait",
+        {step.in.now, context_.self, EventKind::kLandingWait,
          fmt::format("waits for its turn to land, {:.0f} m above the ground",
                      turn_.altitude_msl - ground_)});
   else if (leg == Leg::kToApproach)
     out.events.push_back(
-        {step.in.now, context_.self, "landing-turn", "has its turn to land"});
+        {step.in.now, context_.self, EventKind::kLandingTurn, "has its turn to land"});
 }
 
 const FlightIntent* LandingPlanner::fly(const LandingTurn& turn, const TaskStep& step,

@@ -94,7 +94,7 @@ bool TaskPlanner::fly(const TaskKind& what, Time now, AgentOutput& out) {
   }
   executor_ = std::move(made).value();
   state_ = TaskState::kFlying;
-  out.events.push_back({now, context_.self, "task", named()});
+  out.events.push_back({now, context_.self, EventKind::kTask, named(), numbers()});
   return true;
 }
 
@@ -102,13 +102,18 @@ void TaskPlanner::refuse(Time now, std::string_view why, AgentOutput& out) {
   executor_.reset();
   state_ = TaskState::kImpossible;
   refused_ = why;
-  out.events.push_back(
-      {now, context_.self, "task-refused", fmt::format("{}: {}", kind_, refused_)});
+  out.events.push_back({now, context_.self, EventKind::kTaskRefused,
+                        fmt::format("{}: {}", kind_, refused_), numbers()});
 }
 
 std::string TaskPlanner::named() const {
   return assigned_ ? fmt::format("team task {}: {}", *assigned_, kind_)
                    : fmt::format("task {}: {}", number_, kind_);
+}
+
+EventNumbers TaskPlanner::numbers() const {
+  if (assigned_) return {.team_task = assigned_};
+  return {.task = number_};
 }
 
 void TaskPlanner::obey(const TaskChange& change, Time now, AgentOutput& out) {
@@ -119,13 +124,13 @@ void TaskPlanner::obey(const TaskChange& change, Time now, AgentOutput& out) {
     case TaskAction::kPause:
       if (state_ != TaskState::kFlying) return;
       executor_->interrupt();
-      return set(TaskState::kPaused, now, "task-paused", {}, out);
+      return set(TaskState::kPaused, now, EventKind::kTaskPaused, {}, out);
     case TaskAction::kResume:
       if (state_ != TaskState::kPaused) return;
-      return set(TaskState::kFlying, now, "task-resumed", {}, out);
+      return set(TaskState::kFlying, now, EventKind::kTaskResumed, {}, out);
     case TaskAction::kCancel:
       executor_.reset();
-      return set(TaskState::kNone, now, "task-cancelled", {}, out);
+      return set(TaskState::kNone, now, EventKind::kTaskCancelled, {}, out);
   }
 }
 
@@ -137,10 +142,10 @@ void TaskPlanner::obey(const FlightChange& change, const AgentInput& in,
     const std::string why = in.autopilot.held.empty() ? set_flight(context_, change)
                                                       : std::string(in.autopilot.held);
     if (!why.empty()) {
-      out.events.push_back({now, context_.self, "flight-refused", why});
+      out.events.push_back({now, context_.self, EventKind::kFlightRefused, why});
     } else {
       out.events.push_back(
-          {now, context_.self, "flight-changed",
+          {now, context_.self, EventKind::kFlightChanged,
            fmt::format("{:.0f} m above ground at {:.1f} m/s", context_.altitude_agl,
                        context_.limits.airspeed)});
       begin_again(change, now, out);
@@ -167,15 +172,15 @@ void TaskPlanner::begin_again(const FlightChange& change, Time now, AgentOutput&
   }
   executor_.reset();
   refused_ = made.error().message;
-  set(TaskState::kImpossible, now, "task-impossible", refused_, out);
+  set(TaskState::kImpossible, now, EventKind::kTaskImpossible, refused_, out);
 }
 
-void TaskPlanner::set(TaskState state, Time now, const char* event, std::string_view why,
+void TaskPlanner::set(TaskState state, Time now, EventKind event, std::string_view why,
                       AgentOutput& out) {
   state_ = state;
   std::string text = named();
   if (!why.empty()) text.append(": ").append(why);
-  out.events.push_back({now, context_.self, event, std::move(text)});
+  out.events.push_back({now, context_.self, event, std::move(text), numbers()});
 }
 
 void TaskPlanner::listen(const TaskStep& step) {
@@ -189,11 +194,12 @@ const FlightIntent* TaskPlanner::plan(const FlightIntent* given, const TaskStep&
   const FlightIntent* own = executor_->plan(step, out);
   const TaskProgress progress = executor_->progress(step.in);
   if (!progress.impossible.empty()) {
-    set(TaskState::kImpossible, step.in.now, "task-impossible", progress.impossible, out);
+    set(TaskState::kImpossible, step.in.now, EventKind::kTaskImpossible,
+        progress.impossible, out);
     return given;
   }
   if (progress.done && state_ == TaskState::kFlying)
-    set(TaskState::kDone, step.in.now, "task-done", {}, out);
+    set(TaskState::kDone, step.in.now, EventKind::kTaskDone, {}, out);
   computing_ = !own;
   return own ? own : given;
 }

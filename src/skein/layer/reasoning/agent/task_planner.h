@@ -69,10 +69,11 @@ class TaskPlanner final : public PlannerOfChain {
   void refuse(Time now, std::string_view why, AgentOutput& out);
   bool fly(const TaskKind& what, Time now, AgentOutput& out);
   std::string named() const;
+  EventNumbers numbers() const;
   void obey(const TaskChange& change, Time now, AgentOutput& out);
   void obey(const FlightChange& change, const AgentInput& in, AgentOutput& out);
   void begin_again(const FlightChange& change, Time now, AgentOutput& out);
-  void set(TaskState state, Time now, const char* event, std::string_view why,
+  void set(TaskState state, Time now, EventKind event, std::string_view why,
            AgentOutput& out);
 
   FlightContext& context_;

@@ -68,7 +68,7 @@ void GroundStation::obey(const TeamTaskCommand& command, Time now, AgentOutput& 
 void GroundStation::refuse(std::string_view what, const std::string& why, Time now,
                            AgentOutput& out) const {
   if (!why.empty())
-    out.events.push_back({now, EntityId{}, "command-refused",
+    out.events.push_back({now, EntityId{}, EventKind::kCommandRefused,
                           fmt::format("{} of {}: {}", what, name_, why)});
 }
 

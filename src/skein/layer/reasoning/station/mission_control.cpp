@@ -129,7 +129,8 @@ void MissionControl::end(std::size_t index, Time now, OrderServer& orders,
   Slot& slot = slots_[index];
   slot.state = State::kOver;
   next_allocation_ = now;
-  out.events.push_back({now, EntityId{}, "mission", slot.plan.name + " is over"});
+  out.events.push_back(
+      {now, EntityId{}, EventKind::kMission, slot.plan.name + " is over"});
   const auto& members = orders.members();
   for (std::size_t k = 0; k < members.size(); ++k)
     if (members[k].holder == Holder::kMission && members[k].mission == index)
@@ -166,7 +167,7 @@ void MissionControl::allocate(Time now, OrderServer& orders, AgentOutput& out) {
   for (std::size_t k = 0; k < aircraft.size(); ++k) {
     if (owners[k] == aircraft[k].owner) continue;
     const Member& member = members[index[k]];
-    out.events.push_back({now, member.who.id, "allocated",
+    out.events.push_back({now, member.who.id, EventKind::kAllocated,
                           owners[k] ? "to " + slots_[*owners[k]].plan.name
                                     : std::string("to no mission")});
     if (!owners[k] && member.heard)
@@ -176,7 +177,7 @@ void MissionControl::allocate(Time now, OrderServer& orders, AgentOutput& out) {
 }
 
 void MissionControl::refuse(Time now, const std::string& why, AgentOutput& out) {
-  out.events.push_back({now, EntityId{}, "command-refused", why});
+  out.events.push_back({now, EntityId{}, EventKind::kCommandRefused, why});
 }
 
 void MissionControl::obey(const Command& command, Time now, OrderServer& orders,
@@ -243,8 +244,8 @@ void MissionControl::act(std::size_t index, MissionAction action, Time now,
                          OrderServer& orders, AgentOutput& out) {
   Slot& slot = slots_[index];
   const auto say = [&](const char* what) {
-    out.events.push_back(
-        {now, EntityId{}, "mission", fmt::format("{} {}", slot.plan.name, what)});
+    out.events.push_back({now, EntityId{}, EventKind::kMission,
+                          fmt::format("{} {}", slot.plan.name, what)});
   };
   const auto& members = orders.members();
   switch (action) {

@@ -147,10 +147,12 @@ void OrderServer::order(std::size_t index, TaskKind what, Holder holder, Time no
   member.holder = holder;
   member.open.clear();  // the newest counts
   set_task(member, {++member.highest, std::move(what)});
-  out.events.push_back(
-      {now, member.who.id, "ordered",
-       fmt::format("{} by the {}", kind_of(member.task.what),
-                   holder == Holder::kOperator ? "operator" : "station")});
+  out.events.push_back({now,
+                        member.who.id,
+                        EventKind::kOrdered,
+                        fmt::format("{} by the {}", kind_of(member.task.what),
+                                    holder == Holder::kOperator ? "operator" : "station"),
+                        {.task = member.task.number}});
   queue(member, {EntityId{}, member.who.id, 0, Time(), member.task}, now, out);
 }
 
@@ -158,17 +160,20 @@ void OrderServer::order(std::size_t index, TaskAction action, Time now,
                         AgentOutput& out) {
   Member& member = members_[index];
   member.holder = Holder::kOperator;
-  out.events.push_back({now, member.who.id, "ordered",
-                        fmt::format("{} by the operator", name_of(action))});
-  queue(member,
-        {EntityId{}, member.who.id, 0, Time(), TaskChange{++member.highest, action}}, now,
-        out);
+  const TaskChange change{++member.highest, action};
+  out.events.push_back({now,
+                        member.who.id,
+                        EventKind::kOrdered,
+                        fmt::format("{} by the operator", name_of(action)),
+                        {.task = change.number}});
+  queue(member, {EntityId{}, member.who.id, 0, Time(), change}, now, out);
 }
 
 void OrderServer::order(std::size_t index, const FlightChange& change, Time now,
                         AgentOutput& out) {
   const EntityId aircraft = members_[index].who.id;
-  out.events.push_back({now, aircraft, "ordered", "height or speed by the operator"});
+  out.events.push_back(
+      {now, aircraft, EventKind::kOrdered, "height or speed by the operator"});
   flights_.order(aircraft, change, now, out);
 }
 

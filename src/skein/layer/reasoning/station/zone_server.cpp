@@ -53,8 +53,8 @@ void ZoneServer::take_report(const Message& message, Time now) {
 void ZoneServer::issue(ZoneChange change, Time now, AgentOutput& out) {
   Zone& zone = change.zone;
   const auto refuse = [&](const std::string& why) {
-    out.events.push_back(
-        {now, EntityId{}, "zone-refused", fmt::format("{}: {}", zone.name, why)});
+    out.events.push_back({now, EntityId{}, EventKind::kZoneRefused,
+                          fmt::format("{}: {}", zone.name, why)});
   };
   if (zone.name.empty()) return refuse("a zone needs a name.");
   const auto known = drawn_.find(zone.name);
@@ -75,7 +75,8 @@ void ZoneServer::issue(ZoneChange change, Time now, AgentOutput& out) {
   }
   change.number = static_cast<std::uint32_t>(changes_.size()) + 1;
   known_.take(change);
-  out.events.push_back({now, EntityId{}, change.on ? "zone-on" : "zone-off",
+  out.events.push_back({now, EntityId{},
+                        change.on ? EventKind::kZoneOn : EventKind::kZoneOff,
                         fmt::format("change {}: {} is {}", change.number, zone.name,
                                     change.on ? "in force" : "taken back")});
   out.records.emplace_back(change);
@@ -111,9 +112,12 @@ void ZoneServer::report_when_known(Time now, AgentOutput& out) {
   }
   if (heard == 0) return;
   all_know_ = true;
-  out.events.push_back({now, EntityId{}, "zones-known",
+  out.events.push_back({now,
+                        EntityId{},
+                        EventKind::kZonesKnown,
                         fmt::format("change {}: acknowledged by all of the {} in contact",
-                                    changes_.size(), heard)});
+                                    changes_.size(), heard),
+                        {.value = static_cast<double>(changes_.size())}});
 }
 
 }  // namespace skein::reasoning

@@ -153,7 +153,7 @@ bool PlannedTask::take(Part part, double now, const TaskStep& step, AgentOutput&
   const bool stuck = part.plan.empty();
   if (stuck && part.never) impossible_ = part.why_not;
   if (stuck && !stuck_ && !part.never)
-    out.events.push_back({step.in.now, context_.self, "no-plan", part.why_not});
+    out.events.push_back({step.in.now, context_.self, EventKind::kNoPlan, part.why_not});
   stuck_ = stuck;
   if (stuck) return false;
   plan_ = rest_of(plan_, now);

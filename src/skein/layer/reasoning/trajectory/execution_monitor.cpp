@@ -29,8 +29,11 @@ std::optional<Event> ExecutionMonitor::check(Time now, EntityId self,
       error.time == 0 ? ""
                       : fmt::format("{:.1f} s {} the plan, ", std::abs(error.time),
                                     error.time < 0 ? "ahead of" : "behind");
-  return Event{now, self, off ? "off-plan" : "on-plan",
-               fmt::format("{}{:.1f} m off the path", late, std::abs(error.across))};
+  return Event{now,
+               self,
+               off ? EventKind::kOffPlan : EventKind::kOnPlan,
+               fmt::format("{}{:.1f} m off the path", late, std::abs(error.across)),
+               {.value = std::abs(error.across)}};
 }
 
 }  // namespace skein::reasoning

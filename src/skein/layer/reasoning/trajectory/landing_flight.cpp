@@ -20,7 +20,7 @@ void LandingFlight::step(const TrajectoryStep& step, AgentOutput& out) {
   if (commanded_ && (place == *commanded_ || nearly_down)) return;
   commanded_ = place;
   if (place != landing_.place)
-    out.events.push_back({step.in.now, self_, "return-moved",
+    out.events.push_back({step.in.now, self_, EventKind::kReturnMoved,
                           fmt::format("lands at {:.0f} m north, {:.0f} m east, out of a "
                                       "no-fly zone",
                                       place.x(), place.y())});

@@ -107,10 +107,10 @@ bool PlanFlight::mend(const TrajectoryStep& step, AgentOutput& out) {
   if (!context_.planner) return false;
   MendedPlan mended = mend_plan(plan_, milestones_, step, context_);
   if (mended.plan.empty()) {
-    out.events.push_back({step.in.now, context_.self, "no-path", mended.reason});
+    out.events.push_back({step.in.now, context_.self, EventKind::kNoPath, mended.reason});
     return false;
   }
-  out.events.push_back({step.in.now, context_.self, "planned", mended.reason});
+  out.events.push_back({step.in.now, context_.self, EventKind::kPlanned, mended.reason});
   plan_ = std::move(mended.plan);
   milestones_ = std::move(mended.milestones);
   return true;

@@ -55,7 +55,7 @@ void ReturnPlanner::move_home(const AgentInput& in, const Vec2& home, AgentOutpu
     return;
   moved_ = moved;
   out.events.push_back(
-      {in.now, self_, "return-moved",
+      {in.now, self_, EventKind::kReturnMoved,
        moved ? fmt::format("home lies in or at a no-fly zone: returns lead to {:.0f} m "
                            "north, {:.0f} m east",
                            moved->x(), moved->y())

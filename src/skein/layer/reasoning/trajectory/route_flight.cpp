@@ -142,7 +142,7 @@ void RouteFlight::leave_out(const AgentInput& in, const ZoneMonitor& zones,
 
 void RouteFlight::report_left_out(Time now, AgentOutput& out) const {
   const Vec2& p = point(next_);
-  out.events.push_back({now, context_.self, "point-left-out",
+  out.events.push_back({now, context_.self, EventKind::kPointLeftOut,
                         fmt::format("{:.0f} m north, {:.0f} m east lies in a no-fly "
                                     "zone",
                                     p.x(), p.y())});
@@ -240,13 +240,13 @@ bool RouteFlight::fly_planned(const AgentInput& in, const ZoneMonitor& zones,
   const PlannedPath path = plan_leg(legs_, context_, in, zones, goal, geo::bearing(on));
   if (path.plan.empty()) {
     if (std::exchange(reported_, next_) != next_)
-      out.events.push_back({in.now, context_.self, "no-path",
+      out.events.push_back({in.now, context_.self, EventKind::kNoPath,
                             fmt::format("{}: {}; flies around by sight",
                                         name_of(path.outcome), path.reason)});
     return false;
   }
   reported_ = -1;
-  out.events.push_back({in.now, context_.self, "planned",
+  out.events.push_back({in.now, context_.self, EventKind::kPlanned,
                         fmt::format("a path of {:.0f} s around no-fly zones",
                                     model::duration(path.plan))});
   stage_ = Stage::kPlanned;

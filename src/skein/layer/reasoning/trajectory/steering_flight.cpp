@@ -67,7 +67,8 @@ void CirclingFlight::step(const Circling& intent, const TrajectoryStep& step,
           "a no-fly zone leaves no room at the place of the task: {:.0f} m "
           "north, {:.0f} m east instead",
           place.x(), place.y());
-    out.events.push_back({step.in.now, context_.self, "task-moved", std::move(text)});
+    out.events.push_back(
+        {step.in.now, context_.self, EventKind::kTaskMoved, std::move(text)});
     said_ = moved ? std::optional(place) : std::nullopt;
     // Beside a zone the first turn is away from it.
     const Vec2 there = place - geo::horizontal(nav.p_N);

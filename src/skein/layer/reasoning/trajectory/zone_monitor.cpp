@@ -26,7 +26,8 @@ bool ZoneMonitor::listen(const AgentInput& in, AgentOutput& out) {
     const auto* change = std::get_if<ZoneChange>(&message.content);
     if (!change || !known_.take(*change)) continue;
     changed = true;
-    out.events.push_back({in.now, self_, change->on ? "zone-on" : "zone-off",
+    out.events.push_back({in.now, self_,
+                          change->on ? EventKind::kZoneOn : EventKind::kZoneOff,
                           fmt::format("{} {}", change->on ? "keeps out of" : "may fly in",
                                       change->zone.name)});
   }
@@ -119,10 +120,11 @@ void ZoneMonitor::look(const AgentInput& in, AgentOutput& out) {
   if (avoidance_.empty() && !inside_) return;
   const bool inside = avoidance_.distance(geo::horizontal(in.nav->p_N)) < 0;
   if (inside != inside_)
-    out.events.push_back({in.now, self_, "zone",
+    out.events.push_back({in.now, self_, EventKind::kZone,
                           inside ? "is inside a no-fly zone" : "has left the zone"});
   else if (avoidance_.deflecting() && !deflects_ && !inside)
-    out.events.push_back({in.now, self_, "zone", "turns away from a no-fly zone"});
+    out.events.push_back(
+        {in.now, self_, EventKind::kZone, "turns away from a no-fly zone"});
   inside_ = inside;
   deflects_ = avoidance_.deflecting();
 }

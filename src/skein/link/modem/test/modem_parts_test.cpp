@@ -128,7 +128,7 @@ TEST(ModemParts, SayThatTwoModemsHaveOneAddress) {
   RadioNews news;
   const auto clashes = [](const VehicleReport& report) {
     const auto* event = std::get_if<OutsideEvent>(&report);
-    return event && event->kind == "modem-clash";
+    return event && event->kind == EventKind::kModemClash;
   };
   for (int k = 0; k < 500; ++k) {
     port.receive(Time(), reports);
@@ -138,7 +138,7 @@ TEST(ModemParts, SayThatTwoModemsHaveOneAddress) {
   }
   EXPECT_EQ(std::ranges::count_if(reports, clashes), 1);
   ASSERT_EQ(news.events.size(), 1u);
-  EXPECT_EQ(news.events[0].kind, "modem-clash");
+  EXPECT_EQ(news.events[0].kind, EventKind::kModemClash);
   EXPECT_EQ(news.events[0].text, "another modem has the address of its own, hw 1");
 }
 
@@ -155,13 +155,13 @@ TEST(ModemParts, SayThatNoLineIsOpen) {
   std::vector<VehicleReport> reports;
   port.receive(Time(), reports);
   ASSERT_EQ(reports.size(), 2u);
-  EXPECT_EQ(std::get<OutsideEvent>(reports[1]).kind, "modem-closed");
+  EXPECT_EQ(std::get<OutsideEvent>(reports[1]).kind, EventKind::kModemClosed);
   EXPECT_EQ(std::get<OutsideEvent>(reports[1]).text,
             "no line to the ground station's is open, hw 1");
   RadioNews news;
   radio.deliver(Time(), news);
   ASSERT_EQ(news.events.size(), 1u);
-  EXPECT_EQ(news.events[0].kind, "modem-closed");
+  EXPECT_EQ(news.events[0].kind, EventKind::kModemClosed);
 }
 
 }  // namespace

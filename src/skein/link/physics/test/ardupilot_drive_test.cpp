@@ -100,10 +100,10 @@ struct DriveStand {
     motion.f_B = {0, 0, -9.80665};
     return drive->exchange(motion, channels);
   }
-  std::vector<std::string> events() {
+  std::vector<EventLabel> events() {
     std::vector<OutsideEvent> all;
     drive->take_events(now, all);
-    std::vector<std::string> kinds;
+    std::vector<EventLabel> kinds;
     for (const OutsideEvent& event : all) kinds.push_back(event.kind);
     return kinds;
   }
@@ -114,14 +114,14 @@ struct DriveStand {
   std::array<float, 5> channels{};
 };
 
-using Kinds = std::vector<std::string>;
+using Kinds = std::vector<EventLabel>;
 
 TEST(ArduPilotDrive, GoesStepByStepWithTheProgram) {
   DriveStand stand;
   // 1500, 1501, 1502 (of a throttle), 1503 us.
   const AskingProgram program(stand.drive->port(), 1500);
   for (int k = 0; k < 400; ++k) ASSERT_TRUE(stand.step()) << k;
-  EXPECT_EQ(stand.events(), Kinds{"autopilot-heard"});
+  EXPECT_EQ(stand.events(), Kinds{EventKind::kAutopilotHeard});
   EXPECT_EQ(*stand.clock, stand.now.ns());
   EXPECT_NEAR(program.time(), 1, 0.006) << "its clock begins with the flight";
   EXPECT_EQ(stand.channels[0], 0);
@@ -142,11 +142,12 @@ TEST(ArduPilotDrive, TheWorldGoesOnWithoutASilentProgramAndHearsItAgain) {
   const auto silence = std::chrono::steady_clock::now() - begin;
   EXPECT_GE(silence, 50ms + 80ms) << "the patience once, then real time";
   EXPECT_LT(silence, 5s);
-  EXPECT_EQ(stand.events(), (Kinds{"autopilot-heard", "autopilot-silent"}));
+  EXPECT_EQ(stand.events(),
+            (Kinds{EventKind::kAutopilotHeard, EventKind::kAutopilotSilent}));
   EXPECT_EQ(stand.channels, before) << "the last controls hold";
   const AskingProgram again(stand.drive->port(), 1700);
   for (int k = 0; k < 4000 && again.answers() < 10; ++k) stand.step();
-  EXPECT_EQ(stand.events(), Kinds{"autopilot-back"});
+  EXPECT_EQ(stand.events(), Kinds{EventKind::kAutopilotBack});
   EXPECT_NEAR(stand.channels[0], 0.4, 1e-7);
   EXPECT_LT(again.time(), 15) << "its clock begins anew";
 }
@@ -154,7 +155,7 @@ TEST(ArduPilotDrive, TheWorldGoesOnWithoutASilentProgramAndHearsItAgain) {
 TEST(ArduPilotDrive, WaitsForAFirstSignOnce) {
   DriveStand stand({100ms, 10'000ms});
   EXPECT_FALSE(stand.step());
-  EXPECT_EQ(stand.events(), Kinds{"autopilot-silent"});
+  EXPECT_EQ(stand.events(), Kinds{EventKind::kAutopilotSilent});
   EXPECT_FALSE(stand.step());
   EXPECT_EQ(stand.events(), Kinds());
 }

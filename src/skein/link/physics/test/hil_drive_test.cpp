@@ -61,10 +61,10 @@ struct HilStand {
     EXPECT_EQ(::connect(fd, reinterpret_cast<sockaddr*>(&to), sizeof to), 0);
     return fd;
   }
-  std::vector<std::string> events() {
+  std::vector<EventLabel> events() {
     std::vector<OutsideEvent> all;
     drive->take_events(now, all);
-    std::vector<std::string> kinds;
+    std::vector<EventLabel> kinds;
     for (const OutsideEvent& event : all) kinds.push_back(event.kind);
     return kinds;
   }
@@ -121,9 +121,9 @@ TEST(HilDrive, MovesThePlantAsItsAutopilotSays) {
   EXPECT_EQ(stand.channels[channel::kRudder], -0.125F);
   EXPECT_EQ(stand.channels[channel::kThrottle], 0.75F);
   EXPECT_EQ(*stand.clock, stand.now.ns());
-  EXPECT_EQ(stand.events(), std::vector<std::string>{"autopilot-heard"});
+  EXPECT_EQ(stand.events(), std::vector<EventLabel>{EventKind::kAutopilotHeard});
   for (int k = 0; k < 5; ++k) stand.step();
-  EXPECT_EQ(stand.events(), std::vector<std::string>{"autopilot-silent"});
+  EXPECT_EQ(stand.events(), std::vector<EventLabel>{EventKind::kAutopilotSilent});
   EXPECT_EQ(stand.channels[channel::kThrottle], 0.75F);
   ::close(fd);
 }

@@ -107,7 +107,7 @@ void MissionStatistics::move(EntityId id, Flight& flight, Time time, const Vec2&
 }
 
 void MissionStatistics::event(const Event& event) {
-  if (event.kind != "left") return;
+  if (event.kind != EventKind::kLeft) return;
   flights_.erase(event.entity);
   feed([&](MissionMeter& meter) { meter.left(event.entity); });
 }

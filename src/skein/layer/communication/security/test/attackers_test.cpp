@@ -57,9 +57,9 @@ TEST(Attackers, AJammerSendsNoiseForItsShareOfTheTime) {
   // From 1, 1.8 and 2.6 s on for 0.2 s.
   EXPECT_EQ(sum, Time::from_seconds(0.6));
   ASSERT_EQ(watched.events.size(), 2u);
-  EXPECT_EQ(watched.events[0].kind, "attack-begins");
+  EXPECT_EQ(watched.events[0].kind, EventKind::kAttackBegins);
   EXPECT_EQ(watched.events[0].time, Time::from_seconds(1));
-  EXPECT_EQ(watched.events[1].kind, "attack-ends");
+  EXPECT_EQ(watched.events[1].kind, EventKind::kAttackEnds);
   EXPECT_EQ(watched.events[1].time, Time::from_seconds(3));
 }
 

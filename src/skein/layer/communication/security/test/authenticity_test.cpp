@@ -114,7 +114,7 @@ TEST(RefusalLog, SpeaksAtOnceAndThenOnceAMinute) {
   };
   const auto first = note(0, kReceiver, Verdict::kNoTag);
   ASSERT_TRUE(first);
-  EXPECT_EQ(first->kind, "message-refused");
+  EXPECT_EQ(first->kind, EventKind::kMessageRefused);
   EXPECT_EQ(first->text, "in the name of station: no valid tag");
   for (int k = 1; k < 60; ++k) EXPECT_FALSE(note(k, kReceiver, Verdict::kNoTag));
   EXPECT_TRUE(note(1, kReceiver, Verdict::kRepeated)) << "another reason";

@@ -16,14 +16,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kWorld = "world";
-constexpr double kArrow = 40;           // length of an aircraft [m]
-constexpr double kLabel = 12;           // of its name [px]
-constexpr double kLineWidth = 2;        // [px]
-constexpr double kZoneTop = 500;        // of a zone without a ceiling [m]
-constexpr int kDeleteAll = 1;           // SceneEntityDeletionType
-constexpr int kLineStrip = 0;           // LineType
-constexpr int kInfo = 2, kWarning = 3;  // LogLevel
-constexpr int kDiagonal = 2;            // PositionCovarianceType: DIAGONAL_KNOWN
+constexpr double kArrow = 40;                       // length of an aircraft [m]
+constexpr double kLabel = 12;                       // of its name [px]
+constexpr double kLineWidth = 2;                    // [px]
+constexpr double kZoneTop = 500;                    // of a zone without a ceiling [m]
+constexpr int kDeleteAll = 1;                       // SceneEntityDeletionType
+constexpr int kLineStrip = 0;                       // LineType
+constexpr int kInfo = 2, kWarning = 3, kError = 4;  // LogLevel
+constexpr int kDiagonal = 2;  // PositionCovarianceType: DIAGONAL_KNOWN
 
 struct Colour {
   double r, g, b, a = 1;
@@ -328,14 +328,13 @@ std::string Messages::clock(const RunClock& clock) const {
 }
 
 std::string Messages::log(const Event& event, const std::string& whose) const {
-  const bool is_bad =
-      event.kind == "failure" || event.kind == "failsafe" || event.kind == "accident" ||
-      event.kind.find("refused") != std::string::npos ||
-      event.kind.find("denied") != std::string::npos || event.kind.starts_with("not-") ||
-      event.kind.starts_with("wrong-") || event.kind.find("lost") != std::string::npos;
+  // By its severity, from information on.
+  constexpr int kLevels[] = {kInfo, kInfo, kWarning, kError};
+  const auto severity = static_cast<std::size_t>(row_of(event.kind.kind()).severity);
   return dumped({{"timestamp", stamp(since_1970_ns(event.time))},
-                 {"level", is_bad ? kWarning : kInfo},
-                 {"message", event.kind + (event.text.empty() ? "" : ": " + event.text)},
+                 {"level", kLevels[severity]},
+                 {"message", std::string(event.kind.name()) +
+                                 (event.text.empty() ? "" : ": " + event.text)},
                  {"name", whose},
                  {"file", ""},
                  {"line", 0}});

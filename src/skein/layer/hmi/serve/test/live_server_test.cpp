@@ -89,10 +89,10 @@ class ServedRun {
     feed_.record(record);
     const auto* add = std::get_if<AddCommand>(&given.command);
     if (add && add->aircraft != "scout-1")
-      feed_.record(Event{now, EntityId{0}, "command-refused",
+      feed_.record(Event{now, EntityId{0}, EventKind::kCommandRefused,
                          "add " + add->aircraft + ": there is no such aircraft."});
     if (std::holds_alternative<TaskCommand>(given.command))
-      feed_.record(Event{now, EntityId{1}, "task-refused", "no fire sensor"});
+      feed_.record(Event{now, EntityId{1}, EventKind::kTaskRefused, "no fire sensor"});
   }
 
   LiveHub hub_{

@@ -91,7 +91,7 @@ TEST(LiveState, DoesNotGrowWithTime) {
   for (int k = 0; k < 20000; ++k) {
     Event event;
     event.time = Time::from_seconds(k);
-    event.kind = "crossing";
+    event.kind = EventKind::kCrossing;
     state.take(event);
     state.take(estimate(1, k, k));
   }

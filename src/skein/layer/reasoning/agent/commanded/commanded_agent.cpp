@@ -184,7 +184,8 @@ void CommandedAgent::step(const AgentInput& in, AgentOutput& out) {
   }
   if (setpoint_ && (in.now - *setpoint_).seconds() > options_.patience) {
     setpoint_.reset();
-    out.events.push_back({in.now, self_, "setpoints-ended", "it holds its place"});
+    out.events.push_back(
+        {in.now, self_, EventKind::kSetpointsEnded, "it holds its place"});
     hold(in, out);
   }
   const MissionProgress now = mission_.progress();

@@ -61,8 +61,11 @@ void TrafficAlerting::report(EntityId self, const AgentInput& in,
   out.records.emplace_back(alert);
   if (static_cast<int>(alert.level) <= before) return;
   const Vec3& v_N = in.nav->v_N;
-  out.events.push_back({in.now, self, "traffic-alert",
-                        spoken(alert, geo::bearing(v_N.head<2>()), -v_N.z())});
+  out.events.push_back({in.now,
+                        self,
+                        EventKind::kTrafficAlert,
+                        spoken(alert, geo::bearing(v_N.head<2>()), -v_N.z()),
+                        {.value = alert.level}});
 }
 
 // Alerts about tracks that are no more, or of an aircraft that does not fly, are over.
@@ -167,7 +170,7 @@ void TrafficAlerting::step(EntityId self, const AgentInput& in,
   if (!alerted_.empty()) return;
   if (std::exchange(banded_, false)) out.records.emplace_back(FlightBands{});
   if (alert_stood)
-    out.events.push_back({in.now, self, "clear-of-traffic", "clear of traffic"});
+    out.events.push_back({in.now, self, EventKind::kClearOfTraffic, "clear of traffic"});
 }
 
 }  // namespace skein::reasoning

@@ -40,7 +40,7 @@ void FormationControl::replace_lost_leader(Time now, AgentOutput& out) {
   const auto first = std::find_if(team().begin(), team().end(),
                                   [](const Aircraft& each) { return each.mine; });
   if (first == team().end()) return;  // nobody else is there either
-  out.events.push_back({now, team()[*leader_].id, "leader-lost",
+  out.events.push_back({now, team()[*leader_].id, EventKind::kLeaderLost,
                         "has been silent, or under another command, for too long"});
   appoint(static_cast<std::size_t>(first - team().begin()), now, out);
 }
@@ -79,7 +79,7 @@ void FormationControl::appoint(std::size_t leader, Time now, AgentOutput& out) {
       if (options_.direct && id != leads) route.report_to.push_back(id);
     order(team()[k], std::move(route), now, out);
   }
-  out.events.push_back({now, leads, "leader", "leads the formation"});
+  out.events.push_back({now, leads, EventKind::kLeader, "leads the formation"});
 }
 
 }  // namespace skein::reasoning

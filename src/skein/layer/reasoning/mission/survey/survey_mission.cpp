@@ -106,8 +106,8 @@ void SurveyMission::pursue(const AgentInput& in, AgentOutput& out) {
   for (std::size_t k = 0; k < team().size(); ++k)
     if (has_lines_[k] && !team()[k].has_done()) done_ = false;
   if (done_)
-    out.events.push_back(
-        {in.now, EntityId{}, "surveyed", "nothing is left that its aircraft can fly"});
+    out.events.push_back({in.now, EntityId{}, EventKind::kSurveyed,
+                          "nothing is left that its aircraft can fly"});
 }
 
 void SurveyMission::plan(Time now, AgentOutput& out) {
@@ -136,7 +136,7 @@ void SurveyMission::plan(Time now, AgentOutput& out) {
   if (result.line_ends.empty()) {
     if (std::exchange(why_not_, result.reason) != result.reason)
       out.events.push_back(
-          {now, EntityId{}, "no-plan",
+          {now, EntityId{}, EventKind::kNoPlan,
            fmt::format("{}: {}", name_of(result.outcome), result.reason)});
     return;
   }
@@ -144,7 +144,7 @@ void SurveyMission::plan(Time now, AgentOutput& out) {
   planned_at_ = shared_ = now;
   planned_for_ = result.longest;
   out.events.push_back(
-      {now, EntityId{}, "planned",
+      {now, EntityId{}, EventKind::kPlanned,
        fmt::format("a survey of {} lines by {} aircraft in {:.0f} s, {:.1f} % of {:.2f} "
                    "km^2",
                    result.lines, who.size(), result.longest, 100 * result.covered_share,
@@ -230,7 +230,7 @@ void SurveyMission::share_anew(Time now, AgentOutput& out) {
   if (!any || (nobodys_.empty() && longest > before - kWorthIt)) return;
   nobodys_.clear();
   out.events.push_back(
-      {now, EntityId{}, "shared",
+      {now, EntityId{}, EventKind::kShared,
        fmt::format("{} lines among {} aircraft", lines.size() / 2, who.size())});
   for (std::size_t a = 0; a < who.size(); ++a)
     shares.lines[a].insert(shares.lines[a].begin(), first[a].begin(), first[a].end());

@@ -92,7 +92,8 @@ void TaskMission::look_at(Entry& entry, Time now, AgentOutput& out) {
   const bool impossible = who->state == TaskState::kImpossible;
   entry.over = impossible || who->state == TaskState::kDone;
   if (!entry.over) return;
-  out.events.push_back({now, who->id, impossible ? "task-given-up" : "task-over",
+  out.events.push_back({now, who->id,
+                        impossible ? EventKind::kTaskGivenUp : EventKind::kTaskOver,
                         fmt::format("{}", kind_of(entry.task.what))});
 }
 

@@ -28,9 +28,12 @@ void TrackMission::pursue(const AgentInput& in, AgentOutput& out) {
   for (auto it = targets_.begin(); it != targets_.end();) {
     const bool lost = (in.now - it->second.seen).seconds() > options_.lost_after;
     if (lost)
-      out.events.push_back({in.now, EntityId{}, "object-lost",
+      out.events.push_back({in.now,
+                            EntityId{},
+                            EventKind::kObjectLost,
                             fmt::format("object {} has not been seen for {:.0f} s",
-                                        it->first, options_.lost_after)});
+                                        it->first, options_.lost_after),
+                            {.value = it->first}});
     it = lost ? targets_.erase(it) : std::next(it);
   }
   for (auto& [object, target] : targets_) {
@@ -59,9 +62,12 @@ void TrackMission::listen_for_objects(const AgentInput& in, AgentOutput& out) {
     at->second.seen = std::max(at->second.seen, sighting->time);
     if (first)
       out.events.push_back(
-          {in.now, message.from, "object-found",
+          {in.now,
+           message.from,
+           EventKind::kObjectFound,
            fmt::format("object {} at {:.0f} m north, {:.0f} m east", sighting->object,
-                       sighting->position.x(), sighting->position.y())});
+                       sighting->position.x(), sighting->position.y()),
+           {.value = sighting->object}});
     if (at->second.tracker && *at->second.tracker != message.from) {
       Message passed_on;
       passed_on.to = *at->second.tracker;

@@ -153,7 +153,7 @@ void Coordinator::listen(const AgentInput& in, AgentOutput& out) {
     note_crossing(crossing, out);
   report_confidence(in.now, out);
   for (const EntityId id : roster_.update(in.now))
-    out.events.push_back({in.now, id, "silent", "no report for a while"});
+    out.events.push_back({in.now, id, EventKind::kSilent, "no report for a while"});
 }
 
 bool Coordinator::Tally::is_news(int now_counted, Time now) {
@@ -168,15 +168,21 @@ bool Coordinator::Tally::is_news(int now_counted, Time now) {
 void Coordinator::report_confidence(Time now, AgentOutput& out) {
   if (const int count = belief_.health().outliers; outliers_.is_news(count, now))
     out.events.push_back(
-        {now, EntityId{}, "outlier",
-         fmt::format("{} observations so far were all but impossible", count)});
+        {now,
+         EntityId{},
+         EventKind::kOutlier,
+         fmt::format("{} observations so far were all but impossible", count),
+         {.value = count}});
   if (const int count = belief_.dropped(); dropped_.is_news(count, now))
-    out.events.push_back({now, EntityId{}, "too-late",
+    out.events.push_back({now,
+                          EntityId{},
+                          EventKind::kTooLate,
                           fmt::format("{} readings so far came more than {:.0f} s late",
-                                      count, options_.late_window)});
+                                      count, options_.late_window),
+                          {.value = count}});
   if (const std::string_view method = belief_.health().method; method != method_) {
     if (!method_.empty())
-      out.events.push_back({now, EntityId{}, "hand-over",
+      out.events.push_back({now, EntityId{}, EventKind::kHandOver,
                             fmt::format("the belief is made by {} now: the crossings "
                                         "contradicted {}",
                                         method, method_)});
@@ -189,9 +195,12 @@ void Coordinator::judge(const Crossing& crossing, AgentOutput& out) {
   if (!verdict) return;
   const bool lost = *verdict == ConfidenceMonitor::Verdict::kOverConfident;
   out.events.push_back(
-      {crossing.time, EntityId{}, lost ? "over-confident" : "trusted",
+      {crossing.time,
+       EntityId{},
+       lost ? EventKind::kOverConfident : EventKind::kTrusted,
        fmt::format("{:.0f} % of the last crossings lay outside the believed 95 % band",
-                   100 * confidence_.share_outside())});
+                   100 * confidence_.share_outside()),
+       {.value = confidence_.share_outside()}});
 }
 
 void Coordinator::note_crossing(const Crossing& crossing, AgentOutput& out) {
@@ -203,7 +212,7 @@ void Coordinator::note_crossing(const Crossing& crossing, AgentOutput& out) {
   member->enters.reset();
   out.records.emplace_back(crossing);
   judge(crossing, out);
-  out.events.push_back({crossing.time, crossing.aircraft, "crossing",
+  out.events.push_back({crossing.time, crossing.aircraft, EventKind::kCrossing,
                         fmt::format("{} the fire at {:.0f} m north, {:.0f} m east",
                                     crossing.entered ? "into" : "out of",
                                     crossing.point.x(), crossing.point.y())});
@@ -231,13 +240,13 @@ void Coordinator::deploy(Time now, AgentOutput& out) {
     if (flies && ((now - member.deployed).seconds() > options_.deployment_limit ||
                   has_passed(member.status, boundary_, options_.origin))) {
       member.deploying = false;  // the transect found nothing: the strategy decides
-      out.events.push_back({now, member.status.id, "no-crossing",
+      out.events.push_back({now, member.status.id, EventKind::kNoCrossing,
                             "the deployment transect met no boundary"});
     }
   }
   if (available > 0 && all && !allocating_) {
     allocating_ = true;
-    out.events.push_back({now, EntityId{}, "allocation",
+    out.events.push_back({now, EntityId{}, EventKind::kAllocation,
                           fmt::format("{} of {} aircraft have met the boundary: "
                                       "allocation begins",
                                       met, available)});
@@ -283,7 +292,7 @@ void Coordinator::send_to_entries(Time now, AgentOutput& out) {
     order(*who[k], FlyTo{entries[k].place}, now, out);
     const double side = geo::wrap_2pi(entries[k].course + geo::kPi);
     out.events.push_back(
-        {now, who[k]->status.id, "entry",
+        {now, who[k]->status.id, EventKind::kEntry,
          fmt::format("enters from {:.0f} degrees, at {:.0f} m north, "
                      "{:.0f} m east",
                      geo::degrees(side), entries[k].place.x(), entries[k].place.y())});
@@ -308,7 +317,7 @@ void Coordinator::force_crossings(Time now, AgentOutput& out) {
       continue;
     member.forced = true;
     order(member, FlyTo{goal}, now, out);
-    out.events.push_back({now, member.status.id, "forced-crossing",
+    out.events.push_back({now, member.status.id, EventKind::kForcedCrossing,
                           "no crossing for long: sent across the boundary"});
   }
 }

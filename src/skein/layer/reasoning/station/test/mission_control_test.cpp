@@ -84,7 +84,7 @@ struct Fleet {
     }
     return all;
   }
-  bool has_said(const std::string& kind, const std::string& text) const {
+  bool has_said(EventKind kind, const std::string& text) const {
     return std::any_of(events.begin(), events.end(), [&](const Event& e) {
       return e.kind == kind && e.text.find(text) != std::string::npos;
     });
@@ -185,7 +185,7 @@ TEST_F(Control, TheOperatorStartsPausesAndEndsMissions) {
   for (int k = 0; k < 3; ++k) fleet.second(station);
   EXPECT_EQ(first.seen.size(), 3u);
   fleet.second(station, {MissionCommand{MissionAction::kPause, "third"}});
-  EXPECT_TRUE(fleet.has_said("command-refused", "third"));
+  EXPECT_TRUE(fleet.has_said(EventKind::kCommandRefused, "third"));
 }
 
 TEST_F(Control, WhatOneHasNotDoneIsGivenToAnother) {
@@ -240,7 +240,7 @@ TEST_F(Control, NamesOfOthersBecomeTheirNumbers) {
   EXPECT_EQ(std::get<Relay>(fleet.tasks[1]).first, EntityId{8});
   EXPECT_EQ(std::get<Relay>(fleet.tasks[1]).second, EntityId{3});
   fleet.second(station, {TaskCommand{"b", Relay{}, {"station", "z"}}});
-  EXPECT_TRUE(fleet.has_said("command-refused", "\"z\""));
+  EXPECT_TRUE(fleet.has_said(EventKind::kCommandRefused, "\"z\""));
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ std::vector<ZoneChange> recorded(const AgentOutput& out) {
 
 std::string kinds(const AgentOutput& out) {
   std::string all;
-  for (const Event& event : out.events) all += event.kind + " ";
+  for (const Event& event : out.events) all.append(event.kind.name()).append(" ");
   return all;
 }
 

@@ -20,7 +20,8 @@ Steering EdgeTask::steer(const TaskStep& step, AgentOutput& out) {
   if (follower_.lost() != lost_) {
     lost_ = !lost_;
     out.events.push_back(
-        {step.in.now, context().self, lost_ ? "edge-lost" : "edge-found",
+        {step.in.now, context().self,
+         lost_ ? EventKind::kEdgeLost : EventKind::kEdgeFound,
          lost_ ? "has lost the fire's edge" : "has found the fire's edge again"});
   }
   Steering steering;

@@ -59,7 +59,7 @@ const FlightIntent* GoToTask::before(const TaskStep& step, AgentOutput& out) {
   place_ = allowed;
   renew();
   out.events.push_back(
-      {step.in.now, context().self, "task-moved",
+      {step.in.now, context().self, EventKind::kTaskMoved,
        allowed == point_
            ? std::string("no zone forbids the place of the task any more")
            : fmt::format("the place of the task lies in a no-fly zone: {:.0f} m north, "

@@ -45,7 +45,8 @@ void MeasureTask::report(const TaskStep& step, AgentOutput& out) const {
       geo::degrees(geo::wrap_2pi(geo::bearing(-wind))));
   if (readings_ > 0)
     text += fmt::format(", {} of {} fire readings inside", inside_, readings_);
-  out.events.push_back({step.in.now, context().self, "measured", std::move(text)});
+  out.events.push_back(
+      {step.in.now, context().self, EventKind::kMeasured, std::move(text)});
 }
 
 TaskProgress MeasureTask::progress(const AgentInput& in) const {

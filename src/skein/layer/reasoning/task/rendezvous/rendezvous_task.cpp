@@ -33,8 +33,11 @@ const FlightIntent* RendezvousTask::before(const TaskStep& step, AgentOutput& ou
   if (late_by_ > kLate && std::abs(late_by_ - said_late_) > kLate) {
     said_late_ = late_by_;
     out.events.push_back(
-        {step.in.now, context().self, "late",
-         fmt::format("can be there {:.0f} s later than asked for", late_by_)});
+        {step.in.now,
+         context().self,
+         EventKind::kLate,
+         fmt::format("can be there {:.0f} s later than asked for", late_by_),
+         {.value = late_by_}});
   }
   return nullptr;
 }
@@ -72,10 +75,13 @@ PlannedTask::Part RendezvousTask::plan_part(const Start& start, const TaskStep&)
 }
 
 bool RendezvousTask::finish(const TaskStep& step, AgentOutput& out) {
+  const double late = (step.in.now - order_.time).seconds();
   out.events.push_back(
-      {step.in.now, context().self, "arrived",
-       fmt::format("at the rendezvous, {:.1f} s after the time asked for",
-                   (step.in.now - order_.time).seconds())});
+      {step.in.now,
+       context().self,
+       EventKind::kArrived,
+       fmt::format("at the rendezvous, {:.1f} s after the time asked for", late),
+       {.value = late}});
   return true;
 }
 

@@ -40,7 +40,8 @@ const FlightIntent* RouteTask::plan(const TaskStep& step, AgentOutput& out) {
   if (flies && !done_) {
     passed_ = begun_at_ + flight.passed;
     done_ = flight.done;
-    if (done_) out.events.push_back({step.in.now, self_, "route-done", flight.ending});
+    if (done_)
+      out.events.push_back({step.in.now, self_, EventKind::kRouteDone, flight.ending});
   }
   if (interrupted_) begin(step.intents.next());
   if (done_ && lands_) land(step);

@@ -213,13 +213,19 @@ bool SurveyTask::finish(const TaskStep& step, AgentOutput& out) {
                given_up = lines_->length_given_up();
   const double all = std::max(lines_->length(), forbidden + given_up);
   if (forbidden > 0)
-    out.events.push_back({step.in.now, context().self, "survey-incomplete",
-                          fmt::format("{:.0f} % of its lines lie in no-fly zones",
-                                      100 * forbidden / all)});
+    out.events.push_back(
+        {step.in.now,
+         context().self,
+         EventKind::kSurveyIncomplete,
+         fmt::format("{:.0f} % of its lines lie in no-fly zones", 100 * forbidden / all),
+         {.value = forbidden / all}});
   if (given_up > 0)
     out.events.push_back(
-        {step.in.now, context().self, "survey-incomplete",
-         fmt::format("{:.0f} % of its lines could not be flown", 100 * given_up / all)});
+        {step.in.now,
+         context().self,
+         EventKind::kSurveyIncomplete,
+         fmt::format("{:.0f} % of its lines could not be flown", 100 * given_up / all),
+         {.value = given_up / all}});
   return true;
 }
 

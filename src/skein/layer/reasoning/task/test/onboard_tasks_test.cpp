@@ -286,7 +286,7 @@ TEST(OnboardTask, PassesAZoneOnItsPath) {
   mission.send(1, FlyTo{{1000, 0}});
   bool reported = false;
   for (int t = 0; t < 300; ++t)
-    for (const Event& e : mission.second().events) reported |= e.kind == "zone";
+    for (const Event& e : mission.second().events) reported |= e.kind == EventKind::kZone;
   EXPECT_TRUE(reported);
   EXPECT_TRUE(mission.agent.task_done());
 }
@@ -325,7 +325,7 @@ Message zone_on(std::uint32_t number, const Vec2& centre, double radius) {
   return message;
 }
 
-bool says(const AgentOutput& out, const std::string& kind) {
+bool says(const AgentOutput& out, EventKind kind) {
   return std::any_of(out.events.begin(), out.events.end(),
                      [&](const Event& event) { return event.kind == kind; });
 }
@@ -337,7 +337,7 @@ TEST(OnboardTask, AZoneTakesEffectInTheStepInWhichItIsReceived) {
   const Vec2 here = mission.aircraft.position();
   mission.inbox.push_back(zone_on(1, here + Vec2(200, 0), 100));
   const AgentOutput out = mission.second();
-  EXPECT_TRUE(says(out, "zone-on"));
+  EXPECT_TRUE(says(out, EventKind::kZoneOn));
   ASSERT_TRUE(out.command);
   const auto* hold = std::get_if<HoldCourse>(&out.command->guidance);
   EXPECT_TRUE(!hold || std::abs(geo::wrap_pi(hold->course)) > 0.5);
@@ -362,7 +362,7 @@ TEST(OnboardTask, GoesToTheNearestPlaceInsteadOfOneInAZone) {
       mission.send(1, FlyTo{{1000, 0}});
     mission.fly(5);
     mission.inbox.push_back(zone_on(1, {1050, 0}, 300));
-    EXPECT_TRUE(says(mission.second(), "task-moved"));
+    EXPECT_TRUE(says(mission.second(), EventKind::kTaskMoved));
     double nearest = 1e9;
     mission.fly(200, [&] {
       nearest = std::min(nearest, (mission.aircraft.position() - Vec2(1050, 0)).norm());
@@ -374,7 +374,7 @@ TEST(OnboardTask, GoesToTheNearestPlaceInsteadOfOneInAZone) {
     Message off;
     off.content = ZoneChange{2, false, {.name = "a"}};
     mission.inbox.push_back(off);
-    EXPECT_TRUE(says(mission.second(), "task-moved"));
+    EXPECT_TRUE(says(mission.second(), EventKind::kTaskMoved));
     nearest = 1e9;
     mission.fly(100, [&] {
       nearest = std::min(nearest, (mission.aircraft.position() - Vec2(1000, 0)).norm());

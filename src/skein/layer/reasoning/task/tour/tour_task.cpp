@@ -73,8 +73,8 @@ PlannedTask::Part TourTask::plan_part(const Start& start, const TaskStep&) {
 
 bool TourTask::finish(const TaskStep& step, AgentOutput& out) {
   passed_ = visits();
-  out.events.push_back(
-      {step.in.now, context().self, "route-done", "the last point has been passed"});
+  out.events.push_back({step.in.now, context().self, EventKind::kRouteDone,
+                        "the last point has been passed"});
   return true;
 }
 

@@ -19,9 +19,13 @@ constexpr double kEndurance = 86400;  // while nothing is known of it [s]
 constexpr double kNotDone = 0.999;    // of a task, at most, until it is done
 constexpr double kLearnAgain = 1;     // of wind and zones, after [s]
 
-std::string text_of(const TeamTask& task) {
-  return fmt::format("{}{}: {}", task.single ? "" : "group ", task.number,
-                     name_of_kind(task));
+// Of tasks for groups, which several fly, events have no number.
+Event event_of(Time now, EntityId self, EventKind kind, const TeamTask& task) {
+  Event event{now, self, kind,
+              fmt::format("{}{}: {}", task.single ? "" : "group ", task.number,
+                          name_of_kind(task))};
+  if (task.single) event.numbers.team_task = task.number;
+  return event;
 }
 
 }  // namespace
@@ -100,7 +104,8 @@ void OnboardTeam::take_task(Time now, AgentOutput& out) {
   const auto next = std::ranges::find_if(
       executed, [this](std::uint32_t number) { return may_begin(number); });
   if (next == executed.end()) {
-    if (task_) out.events.push_back({now, self_, "team-task-over", text_of(*task_)});
+    if (task_)
+      out.events.push_back(event_of(now, self_, EventKind::kTeamTaskOver, *task_));
     task_.reset();
     return;
   }
@@ -108,9 +113,9 @@ void OnboardTeam::take_task(Time now, AgentOutput& out) {
   const auto& known = link_.member().knowledge().tasks;
   const auto found = known.find(*next);
   if (found == known.end()) return;
-  if (task_) out.events.push_back({now, self_, "team-task-over", text_of(*task_)});
+  if (task_) out.events.push_back(event_of(now, self_, EventKind::kTeamTaskOver, *task_));
   task_ = found->second;
-  out.events.push_back({now, self_, "team-task", text_of(*task_)});
+  out.events.push_back(event_of(now, self_, EventKind::kTeamTask, *task_));
 }
 
 }  // namespace skein::reasoning

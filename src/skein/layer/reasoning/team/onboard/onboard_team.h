@@ -36,7 +36,7 @@ struct TeamWork {
 /// Who finds that it cannot fly what it was given says so, and is not given it for a
 /// minute, and each time for twice as long, so that another one gets it; who has it
 /// cancelled by the operator is not able for a minute. Events: those of TeamLink, and
-/// "team-task" with the number and kind of what is flown from now on, "team-task-over".
+/// kTeamTask with the number and kind of what is flown from now on, kTeamTaskOver.
 class OnboardTeam {
  public:
   OnboardTeam(EntityId self, OnboardTeamOptions options);

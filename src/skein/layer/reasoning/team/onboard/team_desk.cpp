@@ -139,7 +139,11 @@ std::string TeamDesk::obey(const TeamTaskCommand& command, const TaskKind& what,
 std::uint32_t TeamDesk::add(TeamTask task, AgentOutput& out, Time now) {
   task.number = ++last_;
   added_.push_back(last_);
-  out.events.push_back({now, self_, "team-task-added", words_of(task)});
+  out.events.push_back({now,
+                        self_,
+                        EventKind::kTeamTaskAdded,
+                        words_of(task),
+                        {.team_task = task.number}});
   link_.member().hand_in(mission_, {&task, 1}, now);
   return last_;
 }
@@ -147,7 +151,11 @@ std::uint32_t TeamDesk::add(TeamTask task, AgentOutput& out, Time now) {
 void TeamDesk::withdraw(std::uint32_t task, AgentOutput& out, Time now) {
   const TeamTask known = link_.member().all_tasks().at(task);
   if (link_.member().withdraw_task(task))
-    out.events.push_back({now, self_, "team-task-withdrawn", words_of(known)});
+    out.events.push_back({now,
+                          self_,
+                          EventKind::kTeamTaskWithdrawn,
+                          words_of(known),
+                          {.team_task = known.number}});
 }
 
 // What waits for it, and what waits for that, is replaced too: what a task comes after

@@ -31,10 +31,7 @@ void TeamLink::step(const AgentInput& in, AgentOutput& out) {
     message.content = std::move(outgoing.message);
     out.outbox.push_back(std::move(message));
   }
-  for (Event& event : done.events) {
-    if (!event.kind.starts_with("allocation-")) event.kind.insert(0, "team-");
-    out.events.push_back(std::move(event));
-  }
+  for (Event& event : done.events) out.events.push_back(std::move(event));
   for (TeamAllocationReport& report : done.allocations)
     out.records.emplace_back(std::move(report));
   if (!done.changed) return;

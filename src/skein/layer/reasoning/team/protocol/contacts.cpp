@@ -121,6 +121,26 @@ std::optional<std::size_t> kind_of_news(const TeamContent& content) {
 
 }  // namespace
 
+EventKind event_of(TeamVerdict verdict) {
+  switch (verdict) {
+    case TeamVerdict::kOtherVersion:
+      return EventKind::kTeamOtherVersion;
+    case TeamVerdict::kOwnId:
+      return EventKind::kTeamOwnId;
+    case TeamVerdict::kUnknown:
+      return EventKind::kTeamUnknownSender;
+    case TeamVerdict::kDuplicateId:
+      return EventKind::kTeamDuplicateId;
+    case TeamVerdict::kImplausible:
+      return EventKind::kTeamImplausible;
+    case TeamVerdict::kNew:
+    case TeamVerdict::kLate:
+    case TeamVerdict::kRepeated:
+      break;
+  }
+  throw Bug("a message that is not refused has no such event");
+}
+
 bool is_implausible(const TeamContent& content) {
   return !std::visit(Sane{}, content);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 
+#include "skein/data/event/event_kind.h"
 #include "skein/data/team/team_message.h"
 #include "skein/layer/reasoning/team/protocol/timers.h"
 
@@ -24,11 +24,9 @@ enum class TeamVerdict : std::uint8_t {
   kDuplicateId,   ///< two senders have one id
   kImplausible,   ///< no member would say so
 };
-constexpr auto names_of(const TeamVerdict*) {
-  return std::array<std::string_view, 8>{"new",           "late",       "repeated",
-                                         "other-version", "own-id",     "unknown-sender",
-                                         "duplicate-id",  "implausible"};
-}
+
+/// The event that reports a refused message. Bug for verdicts that refuse none.
+EventKind event_of(TeamVerdict verdict);
 
 /// Of proposed allocations.
 inline constexpr std::uint32_t kMaxProposalNumber = 1000000;

@@ -123,8 +123,8 @@ TeamStep TeamMember::step(Time now, std::span<const TeamReceived> received) {
   return out;
 }
 
-void TeamMember::report(const char* kind, std::string text) {
-  out_->events.push_back({time_, self_, kind, std::move(text)});
+void TeamMember::report(EventKind kind, std::string text, EventNumbers numbers) {
+  out_->events.push_back({time_, self_, kind, std::move(text), numbers});
 }
 
 void TeamMember::send_all(TeamContent content) {
@@ -371,7 +371,8 @@ void TeamMember::follow(EntityId master, TeamReason reason) {
   orders_from_.erase(master);  // it may count anew since it led here last
   if (order_of_ != master) order_until_ = now_ + exchange_time();
   next_inform_ = now_;
-  report("following", fmt::format("{} leads ({}).", master.value, name_of(reason)));
+  report(EventKind::kTeamFollowing,
+         fmt::format("{} leads ({}).", master.value, name_of(reason)), {.other = master});
   set_status(reason);
 }
 
@@ -380,13 +381,15 @@ void TeamMember::expire_order() {
   order_until_.reset();
   order_of_.reset();
   if (executing_.empty()) return;
-  report("order-expired", "the new master has given no order; the old one is dropped.");
+  report(EventKind::kTeamOrderExpired,
+         "the new master has given no order; the old one is dropped.");
   set_executing({});
 }
 
 void TeamMember::lose_master() {
-  report("master-lost",
-         fmt::format("{} is silent for {:.1f} s.", master_->value, now_ - evidence_));
+  report(EventKind::kTeamMasterLost,
+         fmt::format("{} is silent for {:.1f} s.", master_->value, now_ - evidence_),
+         {.other = master_});
   role_ = Role::kSelecting;
   chosen_.reset();
   passed_over_.clear();

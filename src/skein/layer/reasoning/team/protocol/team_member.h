@@ -56,13 +56,9 @@ struct TeamStep {
 /// whom. A proposal is withdrawn, and worked out anew, when a task or an able member came
 /// or went; it ends with the lead of its proposer.
 ///
-/// Events: "selected", "following", "master-lost", "follower-lost", "joined", "merged",
-/// "split", "took-back", "gave-back", "handover", "rejected", "order-unanswered",
-/// "order-expired", "order-superseded", "task-twice", "task-yielded",
-/// "proposed", of a station "allocation-proposed" and "allocation-over";
-/// of hostile or broken input "own-id", "duplicate-id",
-/// "other-version", "unknown-sender", "implausible", "order-refused", "answer-refused":
-/// such messages change nothing.
+/// Events: those of teams (docs/events.md), of a station kAllocationProposed and
+/// kAllocationOver; of hostile or broken input those of the subject `protocol`: such
+/// messages change nothing.
 class TeamMember {
  public:
   TeamMember(EntityId self, TeamConfig config);
@@ -177,7 +173,7 @@ class TeamMember {
   static constexpr double kSilent = 2;      // query periods without a word of the master
 
   // team_member.cpp
-  void report(const char* kind, std::string text);
+  void report(EventKind kind, std::string text, EventNumbers numbers = {});
   void send_all(TeamContent content);
   void send_one(EntityId to, TeamContent content);
   void repeat(EntityId to, TeamContent content, int times);

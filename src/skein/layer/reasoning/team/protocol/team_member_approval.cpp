@@ -135,7 +135,7 @@ void TeamMember::propose(std::span<const TeamTask> tasks,
   proposal_->quick = kQuickProposals;
   note_allocation(AllocationState::kWaits, proposals_, proposal_->allocated);
   const TeamProposal what = said(*proposal_, AllocationState::kWaits);
-  report("proposed", text_of(self_, what));
+  report(EventKind::kTeamProposed, text_of(self_, what));
   if (is_desk(self_)) show(self_, what);
 }
 
@@ -167,8 +167,8 @@ void TeamMember::send_proposal() {
 void TeamMember::on(EntityId from, const TeamDecision& decision) {
   if (role_ != Role::kLeading) return;  // the station will hear of that
   if (!config_.approval || !is_desk(from))
-    return report("answer-refused",
-                  fmt::format("{} has nothing to approve.", from.value));
+    return report(EventKind::kTeamAnswerRefused,
+                  fmt::format("{} has nothing to approve.", from.value), {.other = from});
   settle(from, decision);
 }
 

@@ -51,7 +51,8 @@ void TeamMember::show(EntityId proposer, const TeamProposal& proposal) {
   shown_[proposer] = {proposal};
   last_shown_[proposer] = proposal.number;
   highest_shown_ = std::max(highest_shown_, proposal.number);
-  report("allocation-proposed", text_of(proposer, proposal));
+  report(EventKind::kAllocationProposed, text_of(proposer, proposal),
+         {.other = proposer, .value = proposal.number});
 }
 
 void TeamMember::end_shown(EntityId proposer, AllocationState state, const char* why) {
@@ -59,9 +60,11 @@ void TeamMember::end_shown(EntityId proposer, AllocationState state, const char*
   if (shown == shown_.end()) return;
   const std::string_view what =
       state == AllocationState::kApproved ? "in force" : name_of(state);
-  report("allocation-over",
-         fmt::format("{} of {} is {}{}{}", shown->second.proposal.number, name(proposer),
-                     what, *why == '\0' ? "" : ": ", why));
+  const std::uint32_t number = shown->second.proposal.number;
+  report(EventKind::kAllocationOver,
+         fmt::format("{} of {} is {}{}{}", number, name(proposer), what,
+                     *why == '\0' ? "" : ": ", why),
+         {.other = proposer, .value = number});
   shown_.erase(shown);
 }
 
@@ -70,8 +73,9 @@ void TeamMember::on(EntityId from, const TeamProposal& proposal) {
   const bool leads = contact && (contact->leads || master_ == from);
   if (!is_desk(self_) || !config_.approval || !leads || !mission_ ||
       proposal.mission.name != mission_->name)
-    return report("order-refused",
-                  fmt::format("{} has nothing to propose here.", from.value));
+    return report(EventKind::kTeamOrderRefused,
+                  fmt::format("{} has nothing to propose here.", from.value),
+                  {.other = from});
   const auto shown = shown_.find(from);
   const bool is_shown =
       shown != shown_.end() && shown->second.proposal.number == proposal.number;

@@ -69,7 +69,7 @@ void TeamMember::choose_team() {
   joining_.proposed = joining_.first_master = -1;
   if (!best) {
     if (!joining_.rejected.empty()) {
-      report("rejected", "no master has use for it.");
+      report(EventKind::kTeamRejected, "no master has use for it.");
       joining_.rest_until = now_ + kRest * times().query_period;
     }
     return;
@@ -102,14 +102,16 @@ void TeamMember::on(EntityId from, const TeamAccept& accept) {
   if (role_ != Role::kNewcomer || accept.exchange != exchange_) return;
   const auto asked = joining_.asked.find(from);
   if (asked == joining_.asked.end())
-    return report("answer-refused", fmt::format("{} was not asked.", from.value));
+    return report(EventKind::kTeamAnswerRefused,
+                  fmt::format("{} was not asked.", from.value), {.other = from});
   asked->second = accept;
 }
 
 void TeamMember::on(EntityId from, const TeamReject& reject) {
   if (role_ != Role::kNewcomer || reject.exchange != exchange_) return;
   if (!joining_.asked.contains(from))
-    return report("answer-refused", fmt::format("{} was not asked.", from.value));
+    return report(EventKind::kTeamAnswerRefused,
+                  fmt::format("{} was not asked.", from.value), {.other = from});
   joining_.rejected.insert(from);
 }
 
@@ -117,7 +119,8 @@ void TeamMember::on(EntityId from, const TeamConfirm& confirm) {
   if (role_ != Role::kLeading) return;
   const auto accepted = accepted_.find(from);
   if (accepted == accepted_.end() || accepted->second != confirm.exchange)
-    return report("answer-refused", fmt::format("{} was not accepted.", from.value));
+    return report(EventKind::kTeamAnswerRefused,
+                  fmt::format("{} was not accepted.", from.value), {.other = from});
   add_follower(from, false, "it has joined");
 }
 

@@ -64,7 +64,8 @@ void TeamMember::lead(TeamReason reason, std::optional<EntityId> predecessor) {
   for (const auto& [number, task] : handed_in_)
     if (knowledge_.tasks.try_emplace(number, task).second)
       knowledge_.tasks.at(number).branch = mission_->branch;
-  report("selected", fmt::format("{} leads ({}).", self_.value, name_of(reason)));
+  report(EventKind::kTeamSelected,
+         fmt::format("{} leads ({}).", self_.value, name_of(reason)));
   // Who has lost its master says more often that it is there.
   const double holds = reason == TeamReason::kSelected ? lost_ : follower_lost_after();
   for (const auto& [id, contact] : contacts_.all()) {
@@ -86,7 +87,8 @@ void TeamMember::add_follower(EntityId id, bool certain, const char* why) {
   place->second.certain = place->second.certain || certain;
   place->second.claimed = now_;
   if (!is_new) return;
-  report("joined", fmt::format("{} follows ({}).", id.value, why));
+  report(EventKind::kTeamJoined, fmt::format("{} follows ({}).", id.value, why),
+         {.other = id});
   if (const auto* contact = contacts_.find(id)) {
     orders_.set(id, {});
     orders_.informed(id, numbers_of(contact->inform.tasks));
@@ -98,7 +100,8 @@ void TeamMember::drop_follower(EntityId id, const std::string& why) {
   followers_.erase(id);
   orders_.remove(id);
   round_trips_.erase(id);
-  report("follower-lost", fmt::format("{} {}.", id.value, why));
+  report(EventKind::kTeamFollowerLost, fmt::format("{} {}.", id.value, why),
+         {.other = id});
   changed_ = true;
 }
 
@@ -183,11 +186,14 @@ void TeamMember::look_at_siblings() {
   if (taken == taken_back_) return;
   for (const EntityId branch : taken)
     if (!taken_back_.contains(branch))
-      report("took-back",
-             fmt::format("tasks of the lost {}/{}.", mission_->name, branch.value));
+      report(EventKind::kTeamTookBack,
+             fmt::format("tasks of the lost {}/{}.", mission_->name, branch.value),
+             {.other = branch});
   for (const EntityId branch : taken_back_)
     if (!taken.contains(branch))
-      report("gave-back", fmt::format("tasks of {}/{}.", mission_->name, branch.value));
+      report(EventKind::kTeamGaveBack,
+             fmt::format("tasks of {}/{}.", mission_->name, branch.value),
+             {.other = branch});
   taken_back_ = std::move(taken);
   changed_ = true;
 }
@@ -261,8 +267,8 @@ void TeamMember::give_orders() {
     send_one(order.to, std::move(assign));
   }
   for (const EntityId id : outcome.unanswered)
-    report("order-unanswered",
-           fmt::format("{} has not acknowledged its order.", id.value));
+    report(EventKind::kTeamOrderUnanswered,
+           fmt::format("{} has not acknowledged its order.", id.value), {.other = id});
   std::vector<std::uint32_t> own = orders_.own();
   std::erase_if(own, [this](std::uint32_t task) { return yielded_.contains(task); });
   set_executing(std::move(own));
@@ -286,7 +292,8 @@ void TeamMember::hand_over() {
   successor_ = config_.select(able);
   successor_since_ = now_;
   next_query_ = now_;
-  report("handover", fmt::format("{} shall lead.", successor_->value));
+  report(EventKind::kTeamHandover, fmt::format("{} shall lead.", successor_->value),
+         {.other = successor_});
   send_knowledge();
 }
 

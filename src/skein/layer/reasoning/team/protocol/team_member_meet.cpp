@@ -61,7 +61,8 @@ void TeamMember::yield_to(EntityId other, bool counted) {
   const TeamMeeting meeting = meeting_of(self_, other, times);
   knowledge_.note(meeting);
   const auto members = member_ids();
-  report("merged", fmt::format("with the team of {}.", other.value));
+  report(EventKind::kTeamMerged, fmt::format("with the team of {}.", other.value),
+         {.other = other});
   send_knowledge();
   repeat(other, TeamMerge{*mission_, meeting, false, members}, kMergeRepeats);
   follow(other, TeamReason::kMerged);
@@ -82,14 +83,17 @@ void TeamMember::on(EntityId from, const TeamMerge& merge) {
   if (role_ != Role::kLeading || !is_of_lineage(merge.mission)) {
     if (merge.split && role_ == Role::kLeading && is_sibling(merge.mission)) return;
     if (role_ == Role::kLeading)
-      report("answer-refused", fmt::format("{} is of another mission.", from.value));
+      report(EventKind::kTeamAnswerRefused,
+             fmt::format("{} is of another mission.", from.value), {.other = from});
     return;
   }
   const auto* sender = contacts_.find(from);
   // Who gives way may have said already that it follows.
   const bool led =
       sender && (sender->leads || (!merge.split && sender->inform.master == self_));
-  if (!led) return report("answer-refused", fmt::format("{} led no team.", from.value));
+  if (!led)
+    return report(EventKind::kTeamAnswerRefused,
+                  fmt::format("{} led no team.", from.value), {.other = from});
   if (merge.split) return answer_split(from, merge);
   knowledge_.note(merge.meeting);
   rivals_.erase(from);
@@ -107,7 +111,8 @@ void TeamMember::on(EntityId from, const TeamMerge& merge) {
     is_new = true;
   }
   if (!is_new) return;
-  report("merged", fmt::format("with the team of {}.", from.value));
+  report(EventKind::kTeamMerged, fmt::format("with the team of {}.", from.value),
+         {.other = from});
   set_status(TeamReason::kMerged);
 }
 
@@ -144,7 +149,9 @@ void TeamMember::answer_split(EntityId other, const TeamMerge& merge) {
   siblings_[self_] = now_;
   changed_ = true;
   next_query_ = now_;
-  report("split", fmt::format("with {}: this is {}.", other.value, name_of(*mission_)));
+  report(EventKind::kTeamSplit,
+         fmt::format("with {}: this is {}.", other.value, name_of(*mission_)),
+         {.other = other});
   set_status(TeamReason::kSplit);
   send_split(other, theirs);
 }
@@ -174,8 +181,9 @@ void TeamMember::on(EntityId from, const TeamSplit& split) {
   if (!waits) {
     // The last answers to a question that was repeated.
     if (role_ == Role::kLeading && mission_ && *mission_ == split.mission) return;
-    return report("answer-refused",
-                  fmt::format("{} was not asked for a split.", from.value));
+    return report(EventKind::kTeamAnswerRefused,
+                  fmt::format("{} was not asked for a split.", from.value),
+                  {.other = from});
   }
   asked_->parts[split.part] = split.tasks;
   if (asked_->parts.size() < split.parts) return;
@@ -195,7 +203,9 @@ void TeamMember::on(EntityId from, const TeamSplit& split) {
     if (task.branch) siblings_[*task.branch] = now_;
   changed_ = true;
   next_query_ = now_;
-  report("split", fmt::format("with {}: this is {}.", from.value, name_of(*mission_)));
+  report(EventKind::kTeamSplit,
+         fmt::format("with {}: this is {}.", from.value, name_of(*mission_)),
+         {.other = from});
   set_status(TeamReason::kSplit);
 }
 

@@ -36,10 +36,10 @@ void TeamMember::refuse(const TeamReceived& received, TeamVerdict verdict) {
   double& last = refused_.try_emplace({received.from, verdict}, -1e300).first->second;
   if (now_ - last < 10 * times().query_period) return;
   last = now_;
-  const std::string word(name_of(verdict));
-  report(word.c_str(),
+  report(event_of(verdict),
          fmt::format("a {} of {} changes nothing.", kind_of(received.message.content),
-                     received.from.value));
+                     received.from.value),
+         {.other = received.from});
 }
 
 void TeamMember::on(EntityId from, const TeamQuery& query) {
@@ -120,13 +120,15 @@ void TeamMember::compare_executing(EntityId from, const TeamInform& inform) {
       continue;
     }
     if (twice_.insert({task, from}).second)
-      report("task-twice", fmt::format("{} executes task {} too.", from.value, task));
+      report(EventKind::kTeamTaskTwice,
+             fmt::format("{} executes task {} too.", from.value, task),
+             {.other = from, .team_task = task});
     if (yields) yielded_[task] = from;
     if (!superseded && !yields) left.push_back(task);
   }
   if (left.size() == executing_.size()) return;
-  report(superseded ? "order-superseded" : "task-yielded",
-         fmt::format("what {} executes too is dropped.", from.value));
+  report(superseded ? EventKind::kTeamOrderSuperseded : EventKind::kTeamTaskYielded,
+         fmt::format("what {} executes too is dropped.", from.value), {.other = from});
   set_executing(std::move(left));
 }
 
@@ -192,7 +194,8 @@ void TeamMember::on(EntityId from, const TeamAssign& assign) {
   if (chosen) follow(from, TeamReason::kSelected);
   if (role_ != Role::kFollowing || master_ != from || !is_of_lineage(assign.mission)) {
     // Common after a change of master; of anybody else it is forged.
-    return report("order-refused", fmt::format("{} does not lead here.", from.value));
+    return report(EventKind::kTeamOrderRefused,
+                  fmt::format("{} does not lead here.", from.value), {.other = from});
   }
   std::uint32_t& last = orders_from_[from];
   if (assign.number < last) return;  // an older one that was repeated
@@ -218,8 +221,9 @@ void TeamMember::on(EntityId from, const TeamAssign& assign) {
 void TeamMember::on(EntityId from, const TeamAssignAck& ack) {
   if (role_ != Role::kLeading) return;
   if (!orders_.acknowledge(from, ack.number))
-    return report("answer-refused",
-                  fmt::format("{} answers an order that there was not.", from.value));
+    return report(EventKind::kTeamAnswerRefused,
+                  fmt::format("{} answers an order that there was not.", from.value),
+                  {.other = from});
   const auto follower = followers_.find(from);
   if (follower != followers_.end()) follower->second.claimed = now_;
 }

@@ -30,14 +30,14 @@ TEST(ExecutionMonitor, ReportsOnceWhenAnErrorLeavesItsRangeAndOnceWhenItIsBack) 
   EXPECT_FALSE(monitor.check({}, self, status(7, 0)));
   const auto off = monitor.check({}, self, status(8.5, -3));
   ASSERT_TRUE(off);
-  EXPECT_EQ(off->kind, "off-plan");
+  EXPECT_EQ(off->kind, EventKind::kOffPlan);
   EXPECT_EQ(off->text, "8.5 s behind the plan, 3.0 m off the path");
   EXPECT_EQ(off->entity, self);
   EXPECT_FALSE(monitor.check({}, self, status(9, 0)));
   EXPECT_FALSE(monitor.check({}, self, status(7, 0))) << "not yet well inside";
   const auto on = monitor.check({}, self, status(-0.5, 0));
   ASSERT_TRUE(on);
-  EXPECT_EQ(on->kind, "on-plan");
+  EXPECT_EQ(on->kind, EventKind::kOnPlan);
   EXPECT_EQ(on->text, "0.5 s ahead of the plan, 0.0 m off the path");
 }
 

@@ -51,7 +51,7 @@ TEST(ReturnPlanner, MovesHomeOutOfAZoneAndBack) {
   EXPECT_GT(place.x(), 300);  // to the side that is nearest
   EXPECT_DOUBLE_EQ(out.return_route->ground_msl, 100);
   ASSERT_EQ(out.events.size(), 1u);
-  EXPECT_EQ(out.events[0].kind, "return-moved");
+  EXPECT_EQ(out.events[0].kind, EventKind::kReturnMoved);
   EXPECT_EQ(harness.planner.allowed({0, 0}), place);
   EXPECT_FALSE(harness.at(2.5, {1900, 0}, zones, false).return_route);
   const AgentOutput back = harness.at(3, {1800, 0}, {}, true);

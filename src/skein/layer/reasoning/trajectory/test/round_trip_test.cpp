@@ -53,7 +53,7 @@ TEST(ZoneMonitor, ReportsOnceWhenTheAircraftComesInAndWhenItLeaves) {
     AgentOutput out;
     watch.look(in, out);
     for (const Event& event : out.events) {
-      EXPECT_EQ(event.kind, "zone");
+      EXPECT_EQ(event.kind, EventKind::kZone);
       reported.push_back(event.text);
     }
   }

@@ -98,8 +98,8 @@ class Flight {
       }
     }
   }
-  bool reported(const std::string& kind) const { return count(kind) > 0; }
-  std::ptrdiff_t count(const std::string& kind) const {
+  bool reported(EventKind kind) const { return count(kind) > 0; }
+  std::ptrdiff_t count(EventKind kind) const {
     return std::count_if(events.begin(), events.end(),
                          [&](const Event& event) { return event.kind == kind; });
   }
@@ -220,7 +220,7 @@ TEST(RouteFlight, GoesAroundAZoneThatComesOntoALegAndOn) {
   flight.fly(400);
   EXPECT_LT(flight.inside, 0);
   EXPECT_TRUE(flight.route.done());
-  EXPECT_FALSE(flight.reported("point-left-out"));
+  EXPECT_FALSE(flight.reported(EventKind::kPointLeftOut));
 }
 
 TEST(RouteFlight, LeavesWhatIsNotOnTheRouteAlone) {
@@ -254,7 +254,7 @@ TEST(RouteFlight, LeavesOutAPointInAZone) {
   flight.watched = {zone};
   flight.hear(true, zone);
   flight.fly(400);
-  EXPECT_TRUE(flight.reported("point-left-out"));
+  EXPECT_TRUE(flight.reported(EventKind::kPointLeftOut));
   EXPECT_LT(flight.inside, 0);
   EXPECT_TRUE(flight.route.done());
 }
@@ -270,7 +270,7 @@ TEST(RouteFlight, FliesEveryLapWithoutThePointThatIsLeftOut) {
     flight.watched = {zone};
     flight.hear(true, zone);
     flight.fly(400 * laps);
-    EXPECT_EQ(flight.count("point-left-out"), laps);
+    EXPECT_EQ(flight.count(EventKind::kPointLeftOut), laps);
     EXPECT_EQ(flight.visits, laps);
     EXPECT_LT(flight.inside, 0);
     EXPECT_TRUE(flight.route.done());
@@ -289,7 +289,7 @@ TEST(RouteFlight, IsDoneWhenAllOtherPointsAreLeftOut) {
   flight.fly(600);
   EXPECT_EQ(flight.visits, 1);
   EXPECT_TRUE(flight.route.done());
-  EXPECT_EQ(flight.count("point-left-out"), 3 * 3);
+  EXPECT_EQ(flight.count(EventKind::kPointLeftOut), 3 * 3);
 }
 
 TEST(RouteFlight, DoesNotFlyTwiceInPlaceToTheOnlyPointThatRemains) {
@@ -302,7 +302,7 @@ TEST(RouteFlight, DoesNotFlyTwiceInPlaceToTheOnlyPointThatRemains) {
   flight.fly(300);
   EXPECT_TRUE(flight.route.done());
   EXPECT_EQ(flight.commands, 1);
-  EXPECT_EQ(flight.count("point-left-out"), 5);
+  EXPECT_EQ(flight.count(EventKind::kPointLeftOut), 5);
   EXPECT_EQ(flight.ending(), "the last point has been passed");
 }
 
@@ -332,8 +332,8 @@ TEST(RouteFlight, ReportsOnceThatTheLastPointIsLeftOut) {
   flight.hear(true, zone);
   flight.fly(200);
   EXPECT_TRUE(flight.route.done());
-  EXPECT_EQ(flight.count("point-left-out"), 1);
-  EXPECT_EQ(flight.count("no-path"), 0);
+  EXPECT_EQ(flight.count(EventKind::kPointLeftOut), 1);
+  EXPECT_EQ(flight.count(EventKind::kNoPath), 0);
   EXPECT_NE(flight.ending().find("left out"), std::string::npos);
 }
 
@@ -347,7 +347,7 @@ TEST(RouteFlight, FliesToTheLastPointWhenItsZoneGoes) {
   flight.fly(60);
   flight.hear(false, zone);
   flight.fly(200);
-  EXPECT_EQ(flight.count("point-left-out"), 1);
+  EXPECT_EQ(flight.count(EventKind::kPointLeftOut), 1);
   EXPECT_GE(flight.visits, 1);
   EXPECT_EQ(flight.ending(), "the last point has been passed");
 }
@@ -359,10 +359,10 @@ TEST(RouteFlight, ReportsOncePerChangeThatThereIsNoPath) {
   flight.hear(true, disc("a", {1200, 20}, 250));
   flight.fly(35);
   EXPECT_GE(planner->calls, 3);
-  EXPECT_EQ(flight.count("no-path"), 1);
+  EXPECT_EQ(flight.count(EventKind::kNoPath), 1);
   flight.hear(true, disc("b", {1600, 20}, 250));
   flight.fly(5);
-  EXPECT_EQ(flight.count("no-path"), 2);
+  EXPECT_EQ(flight.count(EventKind::kNoPath), 2);
 }
 
 TEST(RouteFlight, StaysElsewhereWhenTheLastPointLiesInAZone) {
@@ -418,7 +418,7 @@ TEST(RouteFlight, FliesAPlanAroundAZoneAndThenTheRest) {
   flight.hear(true, zone);
   flight.fly(0.5);
   ASSERT_TRUE(flight.flies<FollowPlan>());
-  EXPECT_TRUE(flight.reported("planned"));
+  EXPECT_TRUE(flight.reported(EventKind::kPlanned));
   // Grown by the margin.
   ASSERT_EQ(planner->zones.size(), 1u);
   EXPECT_DOUBLE_EQ(std::get<Disc>(planner->zones[0].area).radius, 280);
@@ -456,7 +456,7 @@ TEST(RouteFlight, GoesAroundBySightWhenNoPathIsFound) {
   flight.watched = {zone};
   flight.hear(true, zone);
   flight.fly(400);
-  EXPECT_TRUE(flight.reported("no-path"));
+  EXPECT_TRUE(flight.reported(EventKind::kNoPath));
   EXPECT_LT(flight.inside, 0);
   EXPECT_TRUE(flight.route.done());
   EXPECT_LT(planner->calls, 10);

@@ -132,8 +132,9 @@ TEST_F(FoxgloveView, ZonesComeAndGoAndAreForgottenWithASnapshot) {
 
 TEST_F(FoxgloveView, EventsAndMetricsAreSaidOnceEach) {
   view.take_happened();
-  view.take({LiveRecord{Event{Time::from_seconds(3), kScout, "failsafe", "battery"}},
-             MetricSample{Time::from_seconds(4), "fire", {{"perf_m", 40.5}}}});
+  view.take(
+      {LiveRecord{Event{Time::from_seconds(3), kScout, EventKind::kFailsafe, "battery"}},
+       MetricSample{Time::from_seconds(4), "fire", {{"perf_m", 40.5}}}});
   const auto happened = view.take_happened();
   ASSERT_EQ(happened.size(), 2u);
   EXPECT_EQ(happened[0].channel, channel("/log"));

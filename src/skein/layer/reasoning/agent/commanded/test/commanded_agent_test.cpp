@@ -67,7 +67,7 @@ TEST(CommandedAgent, BanksAsToldAndHoldsItsPlaceWhenSetpointsEnd) {
   EXPECT_TRUE(guidance<HoldPosition>(next));
   EXPECT_NEAR(steps * 0.1, 3, 0.2);
   ASSERT_EQ(flight.out.events.size(), 1u);
-  EXPECT_EQ(flight.out.events[0].kind, "setpoints-ended");
+  EXPECT_EQ(flight.out.events[0].kind, EventKind::kSetpointsEnded);
 }
 
 // The line that a wing is given passes through the setpoint, in its direction, with the

@@ -80,7 +80,8 @@ TEST(TrafficAlerting, RisesWithAHeadOnAndSaysEachLevelOnce) {
     if (rising.empty() || each.level > rising.back()) rising.push_back(each.level);
   }
   EXPECT_EQ(rising.back(), 3u);
-  const auto said = std::ranges::count(out.events, "traffic-alert", &Event::kind);
+  const auto said =
+      std::ranges::count(out.events, EventKind::kTrafficAlert, &Event::kind);
   EXPECT_EQ(said, static_cast<std::ptrdiff_t>(rising.size()));
   EXPECT_NE(out.events.front().text.find("traffic, 12 o'clock"), std::string::npos)
       << out.events.front().text;
@@ -111,7 +112,7 @@ TEST(TrafficAlerting, IsOverWhenTheOtherHasPassed) {
   ASSERT_FALSE(alerts.empty());
   EXPECT_EQ(alerts.back().level, 0u);
   EXPECT_EQ(records_of<FlightBands>(out).back().level, 0u);
-  EXPECT_EQ(std::ranges::count(out.events, "clear-of-traffic", &Event::kind), 1);
+  EXPECT_EQ(std::ranges::count(out.events, EventKind::kClearOfTraffic, &Event::kind), 1);
 }
 
 TEST(TrafficAlerting, IsOverWhenTheTrackIsLostOrTheAircraftLands) {
@@ -122,7 +123,7 @@ TEST(TrafficAlerting, IsOverWhenTheTrackIsLostOrTheAircraftLands) {
     const auto alerts = records_of<TrafficAlert>(out);
     ASSERT_FALSE(alerts.empty());
     EXPECT_EQ(alerts.back().level, 0u);
-    EXPECT_EQ(out.events.back().kind, "clear-of-traffic");
+    EXPECT_EQ(out.events.back().kind, EventKind::kClearOfTraffic);
   }
 }
 

@@ -100,7 +100,8 @@ TEST(FormationControl, ReplacesALeaderThatIsSilentForTooLong) {
     AgentOutput out;
     control.step(in, out);
     for (const Event& event : out.events)
-      if (event.kind == "leader" && event.entity == EntityId{3}) led.push_back(in.now);
+      if (event.kind == EventKind::kLeader && event.entity == EntityId{3})
+        led.push_back(in.now);
   }
   // Heard last at 10 s, counted on for 5 s more, waited for during 30 s.
   ASSERT_EQ(led.size(), 1u);
@@ -297,7 +298,7 @@ TEST_F(FormationTasks, RefusesWhatItCannotDo) {
   ASSERT_TRUE(out.command) << "it circles";
   EXPECT_TRUE(std::holds_alternative<Circle>(out.command->guidance));
   ASSERT_EQ(out.events.size(), 1u);
-  EXPECT_EQ(out.events[0].kind, "task-refused");
+  EXPECT_EQ(out.events[0].kind, EventKind::kTaskRefused);
 }
 
 TEST_F(FormationTasks, TakesOffBeforeItLeads) {

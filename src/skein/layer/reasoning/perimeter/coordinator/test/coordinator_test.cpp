@@ -207,7 +207,7 @@ std::vector<Task> tasks_for(const AgentOutput& out, std::uint32_t to) {
   return tasks;
 }
 
-bool has_event(const AgentOutput& out, const std::string& kind) {
+bool has_event(const AgentOutput& out, EventKind kind) {
   return std::any_of(out.events.begin(), out.events.end(),
                      [&](const Event& event) { return event.kind == kind; });
 }
@@ -242,10 +242,11 @@ TEST(Coordinator, EndsATransectThatHasMissedAllThatIsBelieved) {
     return message;
   };
   station.step(0, {at(0, 900)});
-  EXPECT_FALSE(has_event(station.step(1, {at(1, 900)}), "no-crossing")) << "on its way";
-  EXPECT_FALSE(has_event(station.step(2, {at(2, -200)}), "no-crossing"))
+  EXPECT_FALSE(has_event(station.step(1, {at(1, 900)}), EventKind::kNoCrossing))
+      << "on its way";
+  EXPECT_FALSE(has_event(station.step(2, {at(2, -200)}), EventKind::kNoCrossing))
       << "there may be more than is believed";
-  EXPECT_TRUE(has_event(station.step(3, {at(3, -800)}), "no-crossing"));
+  EXPECT_TRUE(has_event(station.step(3, {at(3, -800)}), EventKind::kNoCrossing));
 }
 
 TEST(Coordinator, LooksAheadInPartsFromTheFirstAllocationOnceAPeriod) {
@@ -309,7 +310,7 @@ TEST(Coordinator, ForcesACrossingAfterALongTimeWithout) {
   station.step(1, {read(1, 1, false)});
   station.step(2, {read(1, 2, true), report(1, 2, 1)});
   const AgentOutput out = station.step(63, {report(1, 63, 2)});
-  EXPECT_TRUE(has_event(out, "forced-crossing"));
+  EXPECT_TRUE(has_event(out, EventKind::kForcedCrossing));
   const auto tasks = tasks_for(out, 1);
   ASSERT_EQ(tasks.size(), 1u);
   // It read "inside" last: a sure crossing is outwards, beyond the boundary.
@@ -364,7 +365,7 @@ TEST(Coordinator, SendsNobodyAcrossTheBoundaryIntoAZone) {
     station.step(1, {read(1, 1, false), zone_around({300, 0}, floor, from)});
     station.step(2, {read(1, 2, true), report(1, 2, 1)});
     const AgentOutput out = station.step(63, {report(1, 63, 2)});
-    EXPECT_EQ(has_event(out, "forced-crossing"), forced) << floor << " " << from;
+    EXPECT_EQ(has_event(out, EventKind::kForcedCrossing), forced) << floor << " " << from;
   }
 }
 

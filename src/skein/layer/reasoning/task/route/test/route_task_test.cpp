@@ -70,7 +70,7 @@ TEST(RouteTask, ReportsToTheStationAndSaysOnceThatTheRouteIsDone) {
         ++reports;
       }
     }
-    for (const Event& event : out.events) events += event.kind == "route-done";
+    for (const Event& event : out.events) events += event.kind == EventKind::kRouteDone;
   }
   EXPECT_EQ(reports, 6);  // at 0 to 5 s
   EXPECT_TRUE(done);

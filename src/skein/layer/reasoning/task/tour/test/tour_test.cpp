@@ -87,7 +87,7 @@ struct Flight {
     for (const Event& e : out.events) reported.push_back(e.kind);
     return out;
   }
-  bool has_reported(const std::string& kind) const {
+  bool has_reported(EventKind kind) const {
     return std::count(reported.begin(), reported.end(), kind) > 0;
   }
   Flat flat;
@@ -96,7 +96,7 @@ struct Flight {
   NavEstimate nav;
   AgentInput in;
   model::PlanCurve curve;
-  std::vector<std::string> reported;
+  std::vector<EventLabel> reported;
 };
 
 TEST(TourTask, CirclesThenFliesAllLapsWithoutAGap) {
@@ -109,7 +109,8 @@ TEST(TourTask, CirclesThenFliesAllLapsWithoutAGap) {
   int plans = 0;
   std::vector<double> nearest(3, 1e9);
   Vec3 last = flight.nav.p_N;
-  for (double time = 30; time < 600 && !flight.has_reported("route-done"); time += 0.5) {
+  for (double time = 30; time < 600 && !flight.has_reported(EventKind::kRouteDone);
+       time += 0.5) {
     const AgentOutput out = flight.step(time);
     plans += out.command && std::holds_alternative<FollowPlan>(out.command->guidance);
     // 15 m/s of air, 5 of wind, half a second.
@@ -118,7 +119,7 @@ TEST(TourTask, CirclesThenFliesAllLapsWithoutAGap) {
     for (std::size_t i = 0; i < 3; ++i)
       nearest[i] = std::min(nearest[i], (geo::horizontal(last) - kTriangle[i]).norm());
   }
-  EXPECT_TRUE(flight.has_reported("route-done"));
+  EXPECT_TRUE(flight.has_reported(EventKind::kRouteDone));
   EXPECT_EQ(plans, 2);
   for (const double distance : nearest) EXPECT_LT(distance, 5);  // within half a second
 }
@@ -145,7 +146,7 @@ TEST(TourTask, PlansAnewWhatIsLeftWhenItIsOffThePlan) {
   flight.in.autopilot.follows = true;
   flight.in.autopilot.cross_track = 1000;
   const AgentOutput off = flight.step(60.5);
-  EXPECT_TRUE(flight.has_reported("off-plan"));
+  EXPECT_TRUE(flight.has_reported(EventKind::kOffPlan));
   const AgentOutput again = off.command ? off : flight.step(61);
   ASSERT_TRUE(again.command);
   const auto& plan = std::get<FollowPlan>(again.command->guidance).plan;
@@ -170,7 +171,7 @@ TEST(TourTask, PlansAgainWhenItsPlanIsRefused) {
   ASSERT_TRUE(again.command);
   const auto& plan = std::get<FollowPlan>(again.command->guidance).plan;
   EXPECT_EQ(plan.front().time.seconds(), 11);
-  EXPECT_FALSE(flight.has_reported("route-done"));
+  EXPECT_FALSE(flight.has_reported(EventKind::kRouteDone));
 }
 
 TEST(TourTask, ReportsOnceThatTheWindIsTooStrongAndTriesAgain) {
@@ -179,7 +180,7 @@ TEST(TourTask, ReportsOnceThatTheWindIsTooStrongAndTriesAgain) {
   Flight flight(options);
   flight.nav.wind_N = {0, 16};
   for (double time = 0; time < 5; time += 0.5) flight.step(time);
-  EXPECT_EQ(flight.reported, std::vector<std::string>{"no-plan"});
+  EXPECT_EQ(flight.reported, std::vector<EventLabel>{EventKind::kNoPlan});
   flight.nav.wind_N = {0, 3};
   EXPECT_TRUE(flight.step(5).command);
 }

@@ -159,7 +159,7 @@ struct AirTeam {
   std::string decide(AllocationAction action, std::uint32_t number = 0) {
     return desk->decide({action, number}, Time::from_seconds(now));
   }
-  int count(const std::string& kind) const {
+  int count(EventKind kind) const {
     return static_cast<int>(std::ranges::count(events, kind, &Event::kind));
   }
   /// What became of the proposal of a number, the last of it.
@@ -173,8 +173,8 @@ struct AirTeam {
     std::string all;
     for (const Event& event : events)
       all += std::to_string(event.time.seconds()) + " " +
-             std::to_string(event.entity.value) + " " + event.kind + " " + event.text +
-             "\n";
+             std::to_string(event.entity.value) + " " + std::string(event.kind.name()) +
+             " " + event.text + "\n";
     return all;
   }
 };

@@ -36,8 +36,8 @@ TEST(TeamApproval, NothingIsFlownUntilTheOperatorApproves) {
   team.run(60);
   EXPECT_EQ(team.masters(), std::set<std::uint32_t>{1}) << team.story();
   EXPECT_EQ(team.flown(), Flown{}) << team.story();
-  EXPECT_GE(team.count("allocation-proposed"), 1) << team.story();
-  EXPECT_GE(team.count("team-proposed"), 1) << team.story();
+  EXPECT_GE(team.count(EventKind::kAllocationProposed), 1) << team.story();
+  EXPECT_GE(team.count(EventKind::kTeamProposed), 1) << team.story();
   ASSERT_EQ(team.decide(kApprove), "");
   team.run(20);
   EXPECT_EQ(team.flown(), (Flown{1, 2, 3})) << team.story();
@@ -49,22 +49,22 @@ TEST(TeamApproval, NothingIsFlownUntilTheOperatorApproves) {
   ASSERT_TRUE(last.value && last.bound && last.gap);
   EXPECT_GE(*last.bound, *last.value);
   EXPECT_NEAR(*last.gap, 0, 1e-9) << "proven for so few";
-  EXPECT_GE(team.count("allocation-over"), 1) << team.story();
+  EXPECT_GE(team.count(EventKind::kAllocationOver), 1) << team.story();
 }
 
 TEST(TeamApproval, WhatIsRejectedIsNotProposedAgainUntilSomethingElseIsWanted) {
   AirTeam team = asked(3, 0.2);
   team.desk->hand_in("M", places(2), Time());
   team.run(60);
-  const int proposed = team.count("allocation-proposed");
+  const int proposed = team.count(EventKind::kAllocationProposed);
   ASSERT_EQ(team.decide(kReject), "");
   team.run(120);
   EXPECT_EQ(team.flown(), Flown{}) << team.story();
-  EXPECT_EQ(team.count("allocation-proposed"), proposed) << team.story();
+  EXPECT_EQ(team.count(EventKind::kAllocationProposed), proposed) << team.story();
   EXPECT_EQ(team.decide(kApprove), "none waits for approval.");
   team.desk->hand_in("M", places(1), Time::from_seconds(team.now));
   team.run(30);
-  EXPECT_EQ(team.count("allocation-proposed"), proposed + 1) << team.story();
+  EXPECT_EQ(team.count(EventKind::kAllocationProposed), proposed + 1) << team.story();
   ASSERT_EQ(team.decide(kApprove), "");
   team.run(20);
   EXPECT_EQ(team.flown(), (Flown{1, 2, 3})) << team.story();
@@ -205,7 +205,7 @@ TEST(TeamApproval, OnlyTheStationMayDecideAndOnlyAMasterPropose) {
   team.run(60);
   const std::uint32_t number = team.allocations.back().number;
   // Some come of the change of master.
-  const int refused = team.count("team-order-refused");
+  const int refused = team.count(EventKind::kTeamOrderRefused);
   const auto forge = [&](EntityId from, TeamContent content) {
     Message message;
     message.from = from;
@@ -225,8 +225,8 @@ TEST(TeamApproval, OnlyTheStationMayDecideAndOnlyAMasterPropose) {
   team.to_station.push_back(proposal);
   team.run(20);
   EXPECT_EQ(team.flown(), Flown{}) << team.story();
-  EXPECT_EQ(team.count("team-answer-refused"), 1) << team.story();
-  EXPECT_EQ(team.count("team-order-refused"), refused + 1) << team.story();
+  EXPECT_EQ(team.count(EventKind::kTeamAnswerRefused), 1) << team.story();
+  EXPECT_EQ(team.count(EventKind::kTeamOrderRefused), refused + 1) << team.story();
   EXPECT_EQ(team.decide(kApprove, number), "") << "the other one still waits";
 }
 

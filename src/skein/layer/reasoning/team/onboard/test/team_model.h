@@ -69,13 +69,12 @@ class TeamModel {
   void look_at_splits() {
     for (; next_event_ < world_.events.size(); ++next_event_) {
       const Event& event = world_.events[next_event_];
-      if (event.kind != "team-split") continue;
-      const auto other = static_cast<std::uint32_t>(std::stoul(event.text.substr(5)));
-      const std::pair<EntityId, EntityId> pair =
-          std::minmax(event.entity, EntityId{other});
+      if (event.kind != EventKind::kTeamSplit) continue;
+      const EntityId other = event.numbers.other.value();
+      const std::pair<EntityId, EntityId> pair = std::minmax(event.entity, other);
       const auto met = world_.meetings.find(pair);
       if (met == world_.meetings.end() || met->second < 2)
-        say(event.entity, "splits the mission with " + std::to_string(other) +
+        say(event.entity, "splits the mission with " + std::to_string(other.value) +
                               ", whom it has not met before");
     }
   }

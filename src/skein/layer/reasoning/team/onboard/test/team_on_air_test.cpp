@@ -246,7 +246,7 @@ TEST(TeamOnAir, WhatTheOperatorWithdrawsIsNotFlownAnyMore) {
     team.run(60);
     ASSERT_EQ(team.flown(), (std::multiset<std::uint32_t>{1, 2})) << team.story();
     EXPECT_EQ(obey(team, {TeamTaskAction::kWithdraw, 1}), "");
-    EXPECT_EQ(team.count("team-task-withdrawn"), 1);
+    EXPECT_EQ(team.count(EventKind::kTeamTaskWithdrawn), 1);
     EXPECT_TRUE(team.desk->is_done(numbers.front()));
     team.run(20);
     EXPECT_EQ(team.flown(), std::multiset<std::uint32_t>{2}) << team.story();
@@ -279,7 +279,7 @@ TEST(TeamOnAir, WhatIsChangedIsFlownInsteadAndWhatWaitsForItWaits) {
   team.run(40);
   ASSERT_EQ(team.flown(), (std::multiset<std::uint32_t>{1})) << team.story();
   EXPECT_EQ(obey(team, {TeamTaskAction::kChange, 1, Measure{{600, 600}, 30}}), "");
-  EXPECT_EQ(team.count("team-task-added"), 3) << "itself, and what waits for it";
+  EXPECT_EQ(team.count(EventKind::kTeamTaskAdded), 3) << "itself, and what waits for it";
   team.run(20);
   // Numbers 4, 5 and 6 are in the places of 1, 2 and 3.
   EXPECT_EQ(team.flown(), (std::multiset<std::uint32_t>{4})) << team.story();
@@ -334,8 +334,8 @@ TEST(TeamOnAir, WhatWaitsIsReplacedOnceHoweverItHangsTogether) {
   team.task_time = 1e6;
   team.run(60);
   EXPECT_EQ(obey(team, {TeamTaskAction::kChange, 1, Measure{{0, 300}, 30}}), "");
-  EXPECT_EQ(team.count("team-task-added"), 17);
-  EXPECT_EQ(team.count("team-task-withdrawn"), 17);
+  EXPECT_EQ(team.count(EventKind::kTeamTaskAdded), 17);
+  EXPECT_EQ(team.count(EventKind::kTeamTaskWithdrawn), 17);
 }
 
 TEST(TeamOnAir, WhatIsAddedLaterWaitsForWhatIsInThePlaceOfTheOld) {
