@@ -52,7 +52,8 @@ Fields<PointwiseOptions> pointwise_fields(const std::string& kind) {
               kPositive);
   if (kind == "point-reset")
     fields.number("min_sd_m", &T::min_sd,
-                  "Minimum standard deviation after a crossing, per axis.", kPositive);
+                  "Minimum standard deviation after a crossing, per axis.", kPositive)
+        .formerly("least_sd_m");
   else
     fields
         .number("gate_sigmas", &T::gate_sigmas,
@@ -204,6 +205,7 @@ Fields<GusOptions> gus_fields() {
           {.at_least = 0, .at_most = 10})
       .number("min_reach_m", &T::min_reach, "Aim at least this far beyond it.",
               kNotNegative)
+      .formerly("least_reach_m")
       .number("separation_m", &T::separation, "Between the targets of two aircraft.",
               kNotNegative)
       .duration_s("patience_s", &T::patience, "An order not done after this is renewed.",

@@ -18,6 +18,7 @@ Fields<AaStar::Options> aa_star_fields() {
   using T = AaStar::Options;
   return Fields<T>()
       .boolean("detours", &T::detours, "Begin with routes of tangents around zones.")
+      .formerly("ways")
       .boolean("manoeuvres", &T::manoeuvres, "Search over manoeuvres.")
       .number("gap", &T::gap, "Nothing better is looked for within so much of the bound.",
               {.at_least = 0, .at_most = 10});

@@ -74,6 +74,7 @@ Fields<autopilot::FailsafeOptions> failsafe_fields() {
       .integer("max_clears", &T::max_clears,
                "In one flight, of each; after that it stays.",
                {.at_least = 0, .at_most = 1000})
+      .formerly("most_clears")
       .rule("", [](const T& t) { return error_in(t).value_or(std::string()); });
 }
 
@@ -190,6 +191,7 @@ Fields<autopilot::LateralOptions> lateral_fields() {
                   {.above = 0, .at_most = 1000})
       .number("l2_min_m", [](T & t) -> auto& { return t.l2.min; },
               "l2plus: minimum distance of that point.", {.above = 0, .at_most = 1e5})
+      .formerly("l2_least_m")
       .duration_s("roll_lag_s", &T::roll_lag,
                   "From a change of the demand to the acceleration.",
                   {.at_least = 0, .at_most = 10});
