@@ -87,7 +87,8 @@ TEST_F(Check, KnowsFilesOfEveryKind) {
   const Finished bad = check({all[0], "plane.yaml"});
   EXPECT_EQ(bad.status, 2);
   EXPECT_NE(bad.err.find("plane.yaml:2:14"), std::string::npos) << bad.err;
-  EXPECT_NE(bad.out.find(": good."), std::string::npos) << "the other is good all the same";
+  EXPECT_NE(bad.out.find(": good."), std::string::npos)
+      << "the other is good all the same";
   const Finished printed = check({all[0], "--print"});
   EXPECT_EQ(printed.status, 2);
 }
@@ -108,7 +109,8 @@ TEST_F(Check, ARunOfFormerNamesIsStillDescribed) {
   write("r/scenario.yaml", kept);
   const Finished reported = run({"report", "r"});
   EXPECT_EQ(reported.status, 0) << reported.err;
-  const Finished exported = run({"export", "r", "--what", "tracks", "--out", "r.geojson"});
+  const Finished exported =
+      run({"export", "r", "--what", "tracks", "--out", "r.geojson"});
   EXPECT_EQ(exported.status, 0) << exported.err;
 }
 

@@ -19,8 +19,8 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-// Where `rename.from` begins in its line; npos when it does not stand there. A name may be
-// in quotation marks.
+// Where `rename.from` begins in its line; npos when it does not stand there. A name may
+// be in quotation marks.
 std::size_t offset_in(const std::string& line, const Rename& rename) {
   if (rename.place.column < 1) return std::string::npos;
   auto at = static_cast<std::size_t>(rename.place.column - 1);

@@ -175,9 +175,10 @@ scenario::Fields<ModemChoice> modem_fields() {
                {.at_least = 1, .at_most = 100'000})
       .duration_s("queue_lifetime_s", &T::queue_lifetime,
                   "What has waited longer is not sent.", {.above = 0, .at_most = 3600})
-      .boolean("receive", &T::receive,
-               "Messages that the modem receives are on the air of the medium too, as from "
-               "where their sender is; else they reach all in range.")
+      .boolean(
+          "receive", &T::receive,
+          "Messages that the modem receives are on the air of the medium too, as from "
+          "where their sender is; else they reach all in range.")
       .formerly("hear")
       .boolean("inject", &T::inject,
                "Messages between simulated entities are sent by the modem too, so that "

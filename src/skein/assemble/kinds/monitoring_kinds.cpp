@@ -51,8 +51,9 @@ Fields<PointwiseOptions> pointwise_fields(const std::string& kind) {
       .number("sensor_sd_m", &T::sensor_sd, "Standard deviation of the sensor's range.",
               kPositive);
   if (kind == "point-reset")
-    fields.number("min_sd_m", &T::min_sd,
-                  "Minimum standard deviation after a crossing, per axis.", kPositive)
+    fields
+        .number("min_sd_m", &T::min_sd,
+                "Minimum standard deviation after a crossing, per axis.", kPositive)
         .formerly("least_sd_m");
   else
     fields

@@ -13,7 +13,8 @@ namespace skein {
 /// record is described by the words that stand beside the value's type:
 ///
 ///   constexpr StampedWords stamped_words(const TrafficAlert*) {
-///     return {{"alert", "alerts"}, "An alert ...", "when", "entity_id", "whose", "what"};
+///     return {{"alert", "alerts"}, "An alert ...", "when", "entity_id", "whose",
+///     "what"};
 ///   }
 template <class T>
 struct Stamped {

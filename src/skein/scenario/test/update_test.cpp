@@ -63,16 +63,17 @@ const std::string kNew =
 TEST(Update, AFormerNameIsRefusedWithTheNewOne) {
   Outer outer;
   const Reading reading = read("parts: [{pace_mps: x, paint: red}]\n", outer);
-  EXPECT_EQ(reading.report(),
-            "t.yaml:1:10 parts[0].pace_mps: \"pace_mps\" is called \"speed_mps\" now. "
-            "`skein check --update FILE` rewrites the file.\n"
-            "t.yaml:1:20 parts[0].pace_mps: found \"x\", needs a number. The default is "
-            "1.\n"
-            "t.yaml:1:23 parts[0].paint: \"paint\" is called \"colour\" now. `skein check "
-            "--update FILE` rewrites the file.\n"
-            "t.yaml:1:30 parts[0].paint: \"red\" is called \"crimson\" now. `skein check "
-            "--update FILE` rewrites the file.\n"
-            "4 problems; nothing was done.\n");
+  EXPECT_EQ(
+      reading.report(),
+      "t.yaml:1:10 parts[0].pace_mps: \"pace_mps\" is called \"speed_mps\" now. "
+      "`skein check --update FILE` rewrites the file.\n"
+      "t.yaml:1:20 parts[0].pace_mps: found \"x\", needs a number. The default is "
+      "1.\n"
+      "t.yaml:1:23 parts[0].paint: \"paint\" is called \"colour\" now. `skein check "
+      "--update FILE` rewrites the file.\n"
+      "t.yaml:1:30 parts[0].paint: \"red\" is called \"crimson\" now. `skein check "
+      "--update FILE` rewrites the file.\n"
+      "4 problems; nothing was done.\n");
   EXPECT_EQ(read("parts: [{pace_mps: 1, speed_mps: 2}]\n", outer).problem_count, 2u)
       << "also when it is given by both names";
 }
@@ -100,8 +101,7 @@ TEST(Update, CountsColumnsInTextThatIsNotAscii) {
   Outer outer;
   const auto updated = with_new_names(flow, "t.yaml", read(flow, outer).renames);
   ASSERT_TRUE(updated.ok()) << updated.error().text();
-  EXPECT_EQ(updated.value(),
-            "{name: \"üü\", parts: [&one {colour: crimson}, *one]}\r\n");
+  EXPECT_EQ(updated.value(), "{name: \"üü\", parts: [&one {colour: crimson}, *one]}\r\n");
 }
 
 TEST(Update, WhatARunHasRecordedIsReadByItsFormerNames) {
