@@ -220,7 +220,7 @@ TEST(DrivenPlant, AHardFallEndsIt) {
 TEST(DrivenPlant, ABrokenMotorGivesNothing) {
   const Flown flight = flown_by(hover, 30, 100, 20);
   EXPECT_TRUE(flight.lost);
-  EXPECT_EQ(flight.events.front().second.kind, "failure");
+  EXPECT_EQ(flight.events.front().second.kind, EventKind::kFailure);
 }
 
 TEST(DrivenPlant, KeepsTheLastOutputsWhileItsDriveIsSilent) {
@@ -230,7 +230,7 @@ TEST(DrivenPlant, KeepsTheLastOutputsWhileItsDriveIsSilent) {
     return std::vector<float>{0.5F, m.time < Time::from_seconds(1.5) ? 0.5F : 0.F};
   };
   const Flown flight = flown_by(script, 30, 40);
-  std::vector<std::string> kinds;
+  std::vector<EventLabel> kinds;
   for (const auto& [time, event] : flight.events) kinds.push_back(event.kind);
   EXPECT_EQ(kinds, (std::vector<EventLabel>{EventKind::kAutopilotSilent,
                                             EventKind::kAutopilotBack}));

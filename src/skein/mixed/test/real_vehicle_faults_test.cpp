@@ -2,6 +2,7 @@
 // A real vehicle with something wrong, flown by a run: what is said, and where it ends.
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -354,13 +355,13 @@ TEST_P(RealVehicleFaults, AtRandomLeaveNoneAloneAndAreNamedOnce) {
     run.run(180);
     SCOPED_TRACE(drawn.what + ", seed " + std::to_string(seed) + "\n" + run.log_text());
     EXPECT_EQ(run.verdict(), "");
-    if (!drawn.kind.empty()) {
-      EXPECT_EQ(run.count(drawn.kind, drawn.text), 1u);
+    if (drawn.kind) {
+      EXPECT_EQ(run.count(*drawn.kind, drawn.text), 1u);
     }
     for (const EventKind kind : {EventKind::kTakeOffDenied, EventKind::kRequestDenied,
                                  EventKind::kNotCommandable, EventKind::kNotBroughtBack,
                                  EventKind::kWrongVehicle, EventKind::kWrongPlace})
-      EXPECT_LE(run.count(kind), 1u) << kind;
+      EXPECT_LE(run.count(kind), 1u) << row_of(kind).name;
   }
 }
 

@@ -54,8 +54,8 @@ class RunStatistics {
   RadioStatistics& radio() { return radio_; }
   void reading() { ++observations_; }
   void crossing(const Crossing& crossing);
-  /// An event of the kind "allocation" starts the allocation phase; those between
-  /// "over-confident" and "trusted" bound the time in which the belief is distrusted.
+  /// An event of the kind kAllocation starts the allocation phase; those between
+  /// kOverConfident and kTrusted bound the time in which the belief is distrusted.
   void event(const Event& event);
   /// Compares, gathers and returns the metrics with their latencies; scores forecasts for
   /// this time.

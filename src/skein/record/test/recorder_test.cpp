@@ -141,7 +141,7 @@ TEST(SummaryRecorder, TheHashIsOfWhatHappenedNotOfTheProgram) {
 
 TEST(SummaryRecorder, AddsUpTheTimeInWhichTheBeliefWasOverConfident) {
   const auto over_confident_s =
-      [](const std::vector<std::pair<double, std::string>>& events) {
+      [](const std::vector<std::pair<double, EventKind>>& events) {
         SummaryRecorder recorder(kInfo);
         for (const auto& [time, kind] : events)
           recorder.record(Event{Time::from_seconds(time), EntityId{0}, kind, ""});
@@ -149,12 +149,13 @@ TEST(SummaryRecorder, AddsUpTheTimeInWhichTheBeliefWasOverConfident) {
         return recorder.summary().number("over_confident_s");
       };
   EXPECT_FALSE(over_confident_s({})) << "never judged";
-  EXPECT_EQ(over_confident_s({{50, "trusted"}}), 0);
-  EXPECT_EQ(over_confident_s(
-                {{50, "trusted"}, {100, EventKind::kOverConfident}, {160, "trusted"}}),
+  EXPECT_EQ(over_confident_s({{50, EventKind::kTrusted}}), 0);
+  EXPECT_EQ(over_confident_s({{50, EventKind::kTrusted},
+                              {100, EventKind::kOverConfident},
+                              {160, EventKind::kTrusted}}),
             60);
   EXPECT_EQ(over_confident_s({{100, EventKind::kOverConfident},
-                              {160, "trusted"},
+                              {160, EventKind::kTrusted},
                               {250, EventKind::kOverConfident}}),
             110);
 }

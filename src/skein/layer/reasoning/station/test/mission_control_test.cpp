@@ -140,7 +140,7 @@ TEST_F(Control, AnEndedMissionFreesItsAircraftForTheOthers) {
   for (int k = 0; k < 4; ++k) fleet.second(station);
   second.done = true;
   for (int k = 0; k < 4; ++k) fleet.second(station);
-  EXPECT_TRUE(fleet.has_said("mission", "second is over"));
+  EXPECT_TRUE(fleet.has_said(EventKind::kMission, "second is over"));
   EXPECT_EQ(fleet.north(), (std::vector<double>{1000, 1000, 1000}));
 }
 
@@ -166,7 +166,7 @@ TEST_F(Control, MissionsBeginWhenTheirConditionIsMet) {
   for (int k = 0; k < 4; ++k) fleet.second(station);
   EXPECT_EQ(fleet.north(), (std::vector<double>{1000, 1000, 1000}));
   for (int k = 0; k < 6; ++k) fleet.second(station);
-  EXPECT_TRUE(fleet.has_said("mission", "second begins"));
+  EXPECT_TRUE(fleet.has_said(EventKind::kMission, "second begins"));
   EXPECT_EQ(fleet.north(), (std::vector<double>{2000, 2000, 2000}));
 }
 

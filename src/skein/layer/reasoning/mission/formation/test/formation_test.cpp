@@ -63,7 +63,7 @@ TEST(FormationControl, AppointsLeaderAndFollowersAndSwapsThem) {
   EXPECT_TRUE(
       std::holds_alternative<FlyRoute>(std::get<Task>(out.outbox[2].content).what));
   ASSERT_EQ(out.events.size(), 1u);
-  EXPECT_EQ(out.events[0].kind, "leader");
+  EXPECT_EQ(out.events[0].kind, EventKind::kLeader);
 }
 
 TEST(FormationControl, RepeatsOrdersUntilTheyAreConfirmed) {
@@ -320,7 +320,7 @@ TEST_F(FormationTasks, FollowingTurnsAwayFromAZone) {
   message.content = TeamPosition{EntityId{1}, nav(1, {100, 0, -200}, {20, 0, 0})};
   const auto out = step(1, {message});
   EXPECT_FALSE(std::holds_alternative<FollowPlan>(out.command->guidance));
-  ASSERT_EQ(events.back().kind, "zone") << "it turns away while it waits";
+  ASSERT_EQ(events.back().kind, EventKind::kZone) << "it turns away while it waits";
 }
 
 }  // namespace

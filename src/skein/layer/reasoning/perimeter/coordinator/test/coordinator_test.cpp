@@ -222,8 +222,8 @@ TEST(Coordinator, DeploysOnATransectThenAllocatesAtTheFirstCrossing) {
   EXPECT_NEAR(std::abs(std::get<FlyCourse>(tasks[0].what).course), geo::kPi / 2, 1e-9);
   station.step(1, {report(1, 1, 1), read(1, 1, false)});
   const AgentOutput out = station.step(2, {report(1, 2, 1), read(1, 2, true)});
-  EXPECT_TRUE(has_event(out, "crossing"));
-  EXPECT_TRUE(has_event(out, "allocation"));
+  EXPECT_TRUE(has_event(out, EventKind::kCrossing));
+  EXPECT_TRUE(has_event(out, EventKind::kAllocation));
   tasks = tasks_for(out, 1);
   ASSERT_EQ(tasks.size(), 1u);
   EXPECT_EQ(tasks[0].number, 2u);
@@ -323,7 +323,7 @@ TEST(Coordinator, NoticesASilentAircraftAndItsReturn) {
   Station station(options);
   station.step(0, {report(1, 0, 0), report(2, 0, 0)});
   const AgentOutput out = station.step(6, {report(1, 6, 1)});
-  ASSERT_TRUE(has_event(out, "silent"));
+  ASSERT_TRUE(has_event(out, EventKind::kSilent));
   EXPECT_EQ(out.events[0].entity, EntityId{2});
   EXPECT_FALSE(has_event(station.step(7, {report(1, 7, 1), report(2, 7, 1)}), "silent"));
 }
