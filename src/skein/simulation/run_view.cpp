@@ -23,9 +23,9 @@ void RunView::record(const Record& record) {
   } else if (const auto* seen = std::get_if<PerimeterRecord>(&record)) {
     perimeters_[{seen->believer, seen->mission, seen->phenomenon}] = *seen;
   } else if (const auto* object = std::get_if<ObjectBeliefRecord>(&record)) {
-    objects_[{object->believer, object->belief.mission, object->belief.object}] = *object;
+    objects_[{object->id, object->value.mission, object->value.object}] = *object;
   } else if (const auto* track = std::get_if<TrafficBeliefRecord>(&record)) {
-    auto& tracks = traffic_[track->believer];
+    auto& tracks = traffic_[track->id];
     if (!tracks.empty() && tracks.front().time < track->time) tracks.clear();
     tracks.push_back(*track);
   }

@@ -188,7 +188,7 @@ class Reader {
     if (!done) return done;
     return records<TeamAllocationRecord>("ORDER BY rowid",
                                          [this](const TeamAllocationRecord& record) {
-                                           statistics_.team().allocation(record.report);
+                                           statistics_.team().allocation(record.value);
                                          });
   }
 

@@ -260,7 +260,8 @@ TEST(Run, AnswersWhatIsAsked) {
   EXPECT_FALSE(run.estimate(second.value())) << "it joins in the next step";
   const auto names = [&run] {
     std::string kinds;
-    for (const Event& event : run.take_events()) kinds += event.kind + " ";
+    for (const Event& event : run.take_events())
+      kinds.append(event.kind.name()).append(" ");
     return kinds;
   };
   EXPECT_EQ(names(), "joined heard heard ");

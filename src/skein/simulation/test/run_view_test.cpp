@@ -72,15 +72,15 @@ TEST(RunView, TracksAreThoseOfTheLastTimeOnly) {
   view.record(track(2, 2, 8));
   view.record(track(2, 5, 1));
   ASSERT_EQ(view.traffic(EntityId{2}).size(), 1u);
-  EXPECT_EQ(view.traffic(EntityId{2})[0].belief.track, 8u);
+  EXPECT_EQ(view.traffic(EntityId{2})[0].value.track, 8u);
   EXPECT_TRUE(view.traffic(EntityId{0}).empty());
 }
 
 TEST(RunView, GivesEachEventOnceAndSaysWhatFails) {
   Count next;
   RunView view(next);
-  view.record(Event{at(1), EntityId{0}, "joined", ""});
-  view.record(Event{at(2), EntityId{0}, "left", ""});
+  view.record(Event{at(1), EntityId{0}, EventKind::kJoined, ""});
+  view.record(Event{at(2), EntityId{0}, EventKind::kLeft, ""});
   ASSERT_EQ(view.take_events().size(), 2u);
   EXPECT_TRUE(view.take_events().empty());
   EXPECT_FALSE(view.step_done(at(2)).ok());

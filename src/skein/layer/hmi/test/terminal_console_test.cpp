@@ -85,9 +85,9 @@ TEST(TerminalConsole, AlertsStayAboveTheProgress) {
                       "traffic, 2 o'clock, 1.2 km, 40 m above, turn right 080"},
                      "uav-2");
     console.show(half_way());
-    console.announce(
-        {Time::from_seconds(1805), EntityId{1}, "recommended", "gives\x1b[2J way"},
-        "uav-2");
+    console.announce({Time::from_seconds(1805), EntityId{1}, EventKind::kRecommended,
+                      "gives\x1b[2J way"},
+                     "uav-2");
   }
   const std::string text = file.text();
   EXPECT_NE(text.find("\r\x1b[K0:30:01 uav-2: traffic, 2 o'clock, 1.2 km, 40 m above, "

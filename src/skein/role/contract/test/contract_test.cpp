@@ -439,7 +439,8 @@ class OddVehicle final : public Vehicle {
     return breach_ == Breach::kShy && nav_.time.seconds() > 5 ? nullptr : &state_;
   }
   void take_events(std::vector<VehicleEvent>& out) override {
-    if (breach_ == Breach::kTwice) out.push_back({EventLabel::named("again"), "and again"});
+    if (breach_ == Breach::kTwice)
+      out.push_back({EventLabel::named("again"), "and again"});
   }
   Result<void> set_fault(const std::string&, bool, Time) override {
     return Error{ErrorCode::kBadInput, "", "there is none", ""};

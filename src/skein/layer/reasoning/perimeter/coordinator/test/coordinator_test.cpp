@@ -325,7 +325,8 @@ TEST(Coordinator, NoticesASilentAircraftAndItsReturn) {
   const AgentOutput out = station.step(6, {report(1, 6, 1)});
   ASSERT_TRUE(has_event(out, EventKind::kSilent));
   EXPECT_EQ(out.events[0].entity, EntityId{2});
-  EXPECT_FALSE(has_event(station.step(7, {report(1, 7, 1), report(2, 7, 1)}), "silent"));
+  EXPECT_FALSE(
+      has_event(station.step(7, {report(1, 7, 1), report(2, 7, 1)}), EventKind::kSilent));
 }
 
 TEST(Coordinator, ALinkThatIsSlowDoesNotSendTheBeliefBackAndForth) {
