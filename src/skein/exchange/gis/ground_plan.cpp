@@ -162,9 +162,18 @@ class GroundPlanReader {
     return {};
   }
 
-  static const char* sense_of(const Json& fence) {
+  // What neither says true nor false could be an exclusion fence that becomes the
+  // opposite.
+  Result<const char*> sense_of(const Json& fence) const {
     const Json& inclusion = member(fence, "inclusion");
-    return inclusion.is_boolean() && !inclusion.get<bool>() ? "exclusion" : "inclusion";
+    if (inclusion.is_boolean()) return inclusion.get<bool>() ? "inclusion" : "exclusion";
+    return error(
+        inclusion.is_null()
+            ? std::string("a part of the fence does not say whether it is an inclusion.")
+            : fmt::format("inclusion of a fence is {}; true and false are allowed.",
+                          inclusion.dump(-1, ' ', false, Json::error_handler_t::replace)
+                              .substr(0, 40)),
+        "Open it in QGroundControl and save it again.");
   }
 
   Result<void> fences(const Json& fence) {
@@ -172,18 +181,23 @@ class GroundPlanReader {
       if (auto good = add_points("fence", "inclusion", MapFeature::Kind::kArea, polygon);
           !good)
         return good;
-    for (const Json& each : list(fence, "polygons"))
-      if (auto good = add_points("fence", sense_of(each), MapFeature::Kind::kArea,
+    for (const Json& each : list(fence, "polygons")) {
+      const auto sense = sense_of(each);
+      if (!sense) return sense.error();
+      if (auto good = add_points("fence", sense.value(), MapFeature::Kind::kArea,
                                  list(each, "polygon"));
           !good)
         return good;
+    }
     for (const Json& each : list(fence, "circles")) {
+      const auto sense = sense_of(each);
+      if (!sense) return sense.error();
       const Json& circle = member(each, "circle");
       const Json& radius = member(circle, "radius");
       if (!radius.is_number() || !(radius.get<double>() > 0) ||
           !(radius.get<double>() <= 1e6))
         return error("a circle of the fence has no radius above 0 m.");
-      if (auto good = add_point("fence", sense_of(each), member(circle, "center")); !good)
+      if (auto good = add_point("fence", sense.value(), member(circle, "center")); !good)
         return good;
       features_.back().numbers["radius_m"] = radius.get<double>();
     }

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 #include "skein/base/csv.h"
@@ -38,15 +39,36 @@ std::string lower(std::string text) {
   return text;
 }
 
+// Whether what ends a property's name is a unit.
+bool is_unit(std::string_view ending) {
+  constexpr std::string_view kUnits[] = {"_m",   "_ft",  "_feet", "_km",  "_nm",  "_mi",
+                                         "_mps", "_kt",  "_kts",  "_kmh", "_mph", "_fpm",
+                                         "_ms",  "_min", "_s",    "_h"};
+  return std::find(std::begin(kUnits), std::end(kUnits), ending) != std::end(kUnits);
+}
+
 // "ceiling" or "ceiling_ft" for "ceiling_m": a slip, or another unit.
 std::string looks_like(const std::string& name) {
   const std::string base = name.substr(0, name.rfind('_'));
-  for (const char* known : {"floor_m", "ceiling_m", "radius_m"}) {
-    const std::string text = known;
-    const std::string known_base = text.substr(0, text.rfind('_'));
-    if (name != known && (name == known_base || base == known_base)) return known;
+  for (const std::string& known : known_properties()) {
+    const std::string known_base = known.substr(0, known.rfind('_'));
+    // Words that maps have for other things are none without a unit.
+    const bool alone = known == "floor_m" || known == "ceiling_m" || known == "radius_m";
+    if (name == known || base != known_base) continue;
+    if (alone || is_unit(name.substr(base.size()))) return known;
   }
   return {};
+}
+
+// A name of a property as it is known here: in small letters, and whole where a
+// shapefile, whose names have ten letters, has cut it.
+std::string property_name(std::string text) {
+  constexpr std::size_t kShapefileName = 10;
+  std::string name = lower(std::move(text));
+  if (name.size() == kShapefileName)
+    for (const std::string& known : known_properties())
+      if (known.starts_with(name)) return known;
+  return name;
 }
 
 // A purpose that features may have; empty for any other word.
@@ -187,8 +209,8 @@ class Reader {
 
   void note_properties(OGRFeatureDefnH definition) {
     for (int i = 0; i < OGR_FD_GetFieldCount(definition); ++i) {
-      const std::string name =
-          valid_text(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i)));
+      const std::string name = property_name(
+          valid_text(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i))));
       if (const std::string known = looks_like(name); !known.empty())
         warnings_.push_back(fmt::format("{}: property {} is not known; is {} meant?",
                                         file_, name, known));
@@ -198,13 +220,14 @@ class Reader {
   Result<void> read_properties(OGRFeatureH feature, MapFeature& out) const {
     for (int i = 0; i < OGR_F_GetFieldCount(feature); ++i) {
       if (OGR_F_IsFieldSetAndNotNull(feature, i) == 0) continue;
-      const std::string name =
-          valid_text(OGR_Fld_GetNameRef(OGR_F_GetFieldDefnRef(feature, i)));
-      if (lower(name) == "name")
-        out.name = valid_text(OGR_F_GetFieldAsString(feature, i));
+      const std::string name = property_name(
+          valid_text(OGR_Fld_GetNameRef(OGR_F_GetFieldDefnRef(feature, i))));
+      if (name == "name") out.name = valid_text(OGR_F_GetFieldAsString(feature, i));
       if (name == "what") out.what = valid_text(OGR_F_GetFieldAsString(feature, i));
       if (name == "purpose")
-        out.purpose = known_purpose(OGR_F_GetFieldAsString(feature, i));
+        out.purpose = known_purpose(lower(OGR_F_GetFieldAsString(feature, i)));
+      if (name == "altitudemode")
+        out.altitude_is_msl = lower(OGR_F_GetFieldAsString(feature, i)) == "absolute";
       const auto& known = known_properties();
       if (std::find(known.begin(), known.end(), name) == known.end()) continue;
       const std::string text = valid_text(OGR_F_GetFieldAsString(feature, i));

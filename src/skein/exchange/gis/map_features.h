@@ -26,8 +26,11 @@ struct MapFeature {
   std::string purpose;
   /// The point, the line, or the area's outer ring, positive and without a repeated end.
   std::vector<Vec2> points;
-  std::vector<geo::Ring> holes;           ///< of an area, positive
-  std::optional<double> altitude;         ///< third coordinate of the first point [m]
+  std::vector<geo::Ring> holes;    ///< of an area, positive
+  std::optional<double> altitude;  ///< third coordinate of the first point [m]
+  /// Whether `altitude` may be taken as above the sea; false where a KML file says that
+  /// it is above the ground, or means nothing.
+  bool altitude_is_msl = true;
   std::map<std::string, double> numbers;  ///< known_properties() that it has, finite
 };
 

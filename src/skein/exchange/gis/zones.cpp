@@ -215,6 +215,9 @@ Result<std::vector<MovingObstacle>> movers_of(const std::vector<MapFeature>& fea
     if (!altitude && !feature.altitude)
       return refused(feature, "has no altitude.",
                      "Give a third coordinate or altitude_m.");
+    if (!altitude && !feature.altitude_is_msl)
+      return refused(feature, "its altitude is not one above the sea (altitudeMode).",
+                     "Give altitude_m, or altitudeMode absolute.");
     MovingObstacle m;
     m.time = number(feature, "time_s").value_or(0);
     const Vec2& p = feature.points[0];

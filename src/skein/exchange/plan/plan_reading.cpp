@@ -12,6 +12,7 @@
 
 #include "skein/base/csv.h"
 #include "skein/base/input_file.h"
+#include "skein/geo/place_limits.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::exchange {
@@ -58,6 +59,20 @@ Result<FlightPlan> checked(FlightPlan plan, const std::string& place) {
   return plan;
 }
 
+// Where a place may be for this frame to hold it; a sentence when it is elsewhere.
+std::optional<std::string> too_far(double latitude_deg, double longitude_deg,
+                                   const geo::LocalFrame& frame) {
+  if (std::abs(latitude_deg) > 90 || std::abs(longitude_deg) > 360)
+    return fmt::format("latitude {} and longitude {} are no place.", latitude_deg,
+                       longitude_deg);
+  const double far = geo::distance_from_origin(frame, latitude_deg, longitude_deg);
+  if (far <= geo::kMaxPlaceDistance) return std::nullopt;
+  return fmt::format(
+      "a place ({}, {}) lies {:.0f} km from the origin; at most {:.0f} km "
+      "are allowed.",
+      latitude_deg, longitude_deg, far / 1000, geo::kMaxPlaceDistance / 1000);
+}
+
 class GeoJsonPlan {
  public:
   explicit GeoJsonPlan(const geo::LocalFrame& frame) : frame_(frame) {}
@@ -78,7 +93,11 @@ class GeoJsonPlan {
     };
     const Json& start = first_of(feature.at("geometry").at("coordinates"));
     FlightElement e;
-    const Vec2 at = frame_.to_plane(start.at(1).get<double>(), start.at(0).get<double>());
+    const double latitude = start.at(1).get<double>();
+    const double longitude = start.at(0).get<double>();
+    if (!far) far = too_far(latitude, longitude, frame_);
+    if (far) return true;
+    const Vec2 at = frame_.to_plane(latitude, longitude);
     has_altitude = has_altitude && start.size() > 2;
     e.p_N = {at.x(), at.y(), start.size() > 2 ? -start.at(2).get<double>() : 0};
     e.start = is.at("start_s").get<double>();
@@ -99,6 +118,7 @@ class GeoJsonPlan {
 
   FlightPlan plan;
   bool has_altitude = true;
+  std::optional<std::string> far;  // what is wrong with a place
 
  private:
   const geo::LocalFrame& frame_;
@@ -152,10 +172,10 @@ FlightPlan from_rows(const std::vector<Row>& rows, const geo::LocalFrame& frame)
     }
     if (!first || last) continue;
     FlightElement& e = plan.emplace_back();
-    Vec2 at(row[kNorth].value_or(0), row[kEast].value_or(0));
-    if (row[kLatitude] && row[kLongitude])
-      at = frame.to_plane(*row[kLatitude], *row[kLongitude]);
-    e.p_N = {at.x(), at.y(), -row[kAltitude].value_or(0)};
+    const Vec2 at = row[kLatitude] && row[kLongitude]
+                        ? frame.to_plane(*row[kLatitude], *row[kLongitude])
+                        : Vec2(*row[kNorth], *row[kEast]);
+    e.p_N = {at.x(), at.y(), -*row[kAltitude]};
     e.start = *row[kTime];
     e.heading = geo::radians(*row[kHeading]);
     e.airspeed = *row[kAirspeed];
@@ -183,6 +203,7 @@ Result<FlightPlan> plan_from_geojson(std::string_view text, const std::string& p
                                     "writes it: {}",
                                     fault.what()));
   }
+  if (reader.far) return wrong(place, *reader.far);
   if (!reader.plan.empty() && !reader.has_altitude)
     return wrong(place, "the plan has no altitudes.");
   return checked(std::move(reader.plan), place);
@@ -219,7 +240,13 @@ Result<FlightPlan> plan_from_csv(std::string_view text, const std::string& place
         if (!plan_name) plan_name = std::string(*cell);
         other = *plan_name != *cell;
       } else if (column >= 0) {
-        row[static_cast<std::size_t>(column)] = number_in(*cell);
+        const std::string_view text_of_cell = trimmed(*cell);
+        auto& value = row[static_cast<std::size_t>(column)];
+        value = number_in(text_of_cell);
+        if (!text_of_cell.empty() && (!value || !std::isfinite(*value)))
+          return wrong(fmt::format("{}:{}", place, number),
+                       fmt::format("the column {} has no number.",
+                                   kNames[static_cast<std::size_t>(column)]));
       }
     }
     if (other) continue;
@@ -228,6 +255,12 @@ Result<FlightPlan> plan_from_csv(std::string_view text, const std::string& place
       if (!row[needed] || !std::isfinite(*row[needed]))
         return wrong(fmt::format("{}:{}", place, number),
                      fmt::format("the column {} has no number.", kNames[needed]));
+    const bool on_earth = row[kLatitude] && row[kLongitude];
+    if (!on_earth && !(row[kNorth] && row[kEast]))
+      return wrong(fmt::format("{}:{}", place, number), "it has no place.");
+    if (on_earth)
+      if (const auto far = too_far(*row[kLatitude], *row[kLongitude], frame))
+        return wrong(fmt::format("{}:{}", place, number), *far);
     if (rows.size() > 10 * kMaxElements) return wrong(place, "it has too many rows.");
     rows.push_back(row);
   }

@@ -116,6 +116,24 @@ TEST(GroundPlan, RefusesWhatIsNone) {
     EXPECT_NE(read_plan_of(text).error, "") << text;
 }
 
+// Taken for an inclusion, an exclusion fence would be the opposite of itself.
+TEST(GroundPlan, AFenceThatDoesNotSayWhichWayRoundIsRefused) {
+  const auto error_of = [](const Json& sense, bool circle) {
+    Json part = {{"polygon", square(0.01)},
+                 {"circle", {{"center", {47.405, 8.5}}, {"radius", 40}}}};
+    if (!sense.is_null()) part["inclusion"] = sense;
+    const Json fence = {{"version", 2}, {circle ? "circles" : "polygons", {part}}};
+    return read_plan_of(plan(Json::array(), fence).dump()).error;
+  };
+  for (const bool circle : {false, true}) {
+    EXPECT_EQ(error_of(false, circle), "");
+    EXPECT_EQ(error_of(true, circle), "");
+    for (const Json& odd : {Json("false"), Json(0), Json(1), Json::object()})
+      EXPECT_NE(error_of(odd, circle).find("true and false"), std::string::npos) << odd;
+    EXPECT_NE(error_of(nullptr, circle).find("does not say"), std::string::npos);
+  }
+}
+
 TEST(GroundPlan, OfGeoJsonKeepsThePurposeToo) {
   const GotPlan got = read_plan_of(
       R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":

@@ -139,6 +139,59 @@ TEST(Map, GeographicPlacesComeIntoThePlane) {
   EXPECT_NEAR(line.points[2].x(), 1112, 1);  // and of latitude
 }
 
+TEST(Map, PropertiesCountInAnyCaseAndAsShapefilesCutThem) {
+  const auto zones = zones_in(collection(
+      feature("Polygon", "[" + kSquare + "]",
+              R"("NAME":"field","FLOOR_M":100,"Ceiling_M":300,"PURPOSE":"Exclusion")") +
+      "," +
+      feature("Polygon", "[" + kSquare + "]", R"("Purpose":"INCLUSION","what":"zone")")));
+  ASSERT_EQ(zones.size(), 1u) << "an inclusion is no zone to keep out of";
+  EXPECT_EQ(zones[0].name, "field");
+  EXPECT_EQ(zones[0].floor_msl, 100);
+  EXPECT_EQ(zones[0].ceiling_msl, 300);
+  const auto movers = movers_of(
+      read(feature("Point", "[0,0,120]",
+                   R"("radius_m":5,"height_m":5,"velocity_e":2,"velocity_n":-3)"))
+          .features.value());
+  ASSERT_TRUE(movers) << movers.error().text();
+  EXPECT_EQ(movers.value()[0].v_N.head<2>(), Vec2(-3, 2));
+}
+
+TEST(Map, PropertiesInOtherUnitsAreSaid) {
+  const auto warnings = [](const std::string& properties) {
+    std::string all;
+    for (const std::string& each :
+         read(feature("Point", "[0,0,120]", properties)).warnings)
+      all += each + "\n";
+    return all;
+  };
+  for (const char* odd : {"ceiling_ft", "CEILING", "Radius_NM", "height_ft",
+                          "altitude_ft", "velocity_east_kt", "climb_fpm", "from_min"}) {
+    const std::string said = warnings("\"" + std::string(odd) + "\":1");
+    EXPECT_NE(said.find("is not known"), std::string::npos) << odd << ": " << said;
+  }
+  EXPECT_EQ(warnings(R"("time_utc":"2021-09-05T14:04:00Z","height":3,"area_ha":2)"), "");
+}
+
+// The altitude of such a point is none above the sea.
+TEST(Map, AltitudesOfKmlAboveTheGroundAreNotThoseAboveTheSea) {
+  const auto frame = geo::LocalFrame::at({50, 14, 0}).value();
+  const auto error = [&](const std::string& mode) {
+    const auto got = read(
+        R"(<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"><Document>
+<Placemark><ExtendedData><Data name="radius_m"><value>20</value></Data>
+<Data name="height_m"><value>20</value></Data></ExtendedData><Point><altitudeMode>)" +
+            mode + R"(</altitudeMode><coordinates>14,50,300</coordinates></Point>
+</Placemark></Document></kml>)",
+        &frame, "map.kml");
+    EXPECT_TRUE(got.features.ok()) << got.features.error().text();
+    const auto movers = movers_of(got.features.value());
+    return movers ? "" : movers.error().text();
+  };
+  EXPECT_EQ(error("absolute"), "");
+  EXPECT_NE(error("relativeToGround").find("altitudeMode"), std::string::npos);
+}
+
 TEST(Map, KmlHasZonesToo) {
   const auto frame = geo::LocalFrame::at({50, 14, 0}).value();
   const auto got = read(

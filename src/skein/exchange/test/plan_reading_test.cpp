@@ -76,6 +76,36 @@ TEST(PlanReading, SaysWhatIsWrong) {
   const std::string text = to_text(without, Format::kGeojson, {}).value();
   EXPECT_NE(error(text.c_str()).find("no altitudes"), std::string::npos);
 
+  // Places: none in a row, words, latitude and longitude the other way round.
+  const std::string csv = to_text(some_plan(), Format::kCsv, {}).value();
+  const std::string header = csv.substr(0, csv.find('\n'));
+  const auto error_of_csv = [&](const std::string& place_columns,
+                                const std::string& place) {
+    std::string rows =
+        "element,time_s,altitude_m,heading_deg,course_deg,airspeed_mps,"
+        "ground_speed_mps,climb_mps" +
+        place_columns + "\n";
+    for (const char* time : {"0", "10"})
+      rows += std::string("0,") + time + ",150,0,0,15,15,0" + place + "\n";
+    const auto read = plan_from_csv(rows, "a.csv", frame());
+    return read ? std::string("read") : read.error().text();
+  };
+  EXPECT_NE(header.find("latitude_deg"), std::string::npos);
+  EXPECT_EQ(error_of_csv(",north_m,east_m", ",5,6"), "read");
+  EXPECT_EQ(error_of_csv(",latitude_deg,longitude_deg", ",36.99,-122.05"), "read");
+  EXPECT_NE(error_of_csv("", "").find("no place"), std::string::npos);
+  EXPECT_NE(error_of_csv(",north_m,east_m", ",5,").find("no place"), std::string::npos);
+  EXPECT_NE(error_of_csv(",north_m,east_m", ",5,none").find("east_m"), std::string::npos);
+  EXPECT_NE(
+      error_of_csv(",latitude_deg,longitude_deg", ",-122.05,36.99").find("no place"),
+      std::string::npos);
+  EXPECT_NE(error_of_csv(",latitude_deg,longitude_deg", ",8.5,47.4").find("km from"),
+            std::string::npos);
+  Document far_away = some_plan();
+  far_away.frame = geo::LocalFrame::at({8.5, 47.4, 0}).value();
+  const std::string elsewhere = to_text(far_away, Format::kGeojson, {}).value();
+  EXPECT_NE(error(elsewhere.c_str()).find("km from"), std::string::npos);
+
   Document torn = some_plan();
   torn.plans.front().plan[2].p_N.x() += 500;
   const std::string gap = to_text(torn, Format::kGeojson, {}).value();
