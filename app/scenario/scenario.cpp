@@ -17,7 +17,6 @@
 #include "skein/base/check.h"
 #include "skein/base/log.h"
 #include "skein/campaign/campaign/campaign_file.h"
-#include "skein/data/team/task_text.h"
 #include "skein/record/store/record_text.h"
 #include "skein/record/store/wire_table_text.h"
 #include "skein/scenario/markdown.h"
@@ -196,14 +195,15 @@ int keys_command(const std::string& document, const std::vector<std::string>& pl
     print("{}", record::records_markdown());
     return kDone;
   }
+  const auto kinds = load_kinds(plugins);
+  if (!kinds) return kBadUsage;
   if (document == "tasks") {
     print(
         "| as a command, after `task AIRCRAFT` | what the aircraft does |\n|---|---|\n");
-    for (const auto& [usage, help] : task_usage()) print("| `{}` | {} |\n", usage, help);
+    for (const TaskForm& form : kinds->table().task_forms().all())
+      print("| `{}` | {} |\n", form.usage, form.help);
     return kDone;
   }
-  const auto kinds = load_kinds(plugins);
-  if (!kinds) return kBadUsage;
   const scenario::Document* other = document_of(document);
   put_out(other ? scenario::keys_as_markdown(*other, table_of(document, *kinds))
                 : scenario::markdown_keys(kinds->table()));

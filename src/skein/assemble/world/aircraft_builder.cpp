@@ -112,6 +112,7 @@ Result<simulation::Entity> AircraftBuilder::make(const AircraftGroup& group, int
   context.zones = zones_;
   context.phenomena = scenario_.environment.phenomena.size();
   context.planner = planner_;
+  context.tasks = tasks_;
   context.place_period = place_period_;
 
   auto nominal = nominal_plant(group, context);

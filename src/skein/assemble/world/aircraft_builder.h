@@ -61,6 +61,7 @@ class AircraftBuilder {
                   RecordedReports* recorded)
       : scenario_(scenario),
         kinds_(kinds),
+        tasks_(std::make_shared<const TaskKinds>(kinds.task)),
         map_(std::move(map)),
         zones_(zones),
         wind_(wind),
@@ -99,6 +100,7 @@ class AircraftBuilder {
 
   const scenario::Scenario& scenario_;
   const KindsByRole& kinds_;
+  std::shared_ptr<const TaskKinds> tasks_;
   std::shared_ptr<const Terrain> map_;
   const std::vector<Zone>& zones_;
   const WindField& wind_;

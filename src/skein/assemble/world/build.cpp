@@ -339,7 +339,7 @@ class Builder {
         all.push_back(
             {change.at, "scenario", ZoneChange{0, change.on, scenario::to_zone(zone)}});
     for (const scenario::PlannedCommand& planned : scenario_.commands) {
-      auto command = read_command(planned.text, frame_);
+      auto command = read_command(planned.text, frame_, kinds_.table().task_forms());
       if (note(command))
         all.push_back({planned.at, "scenario", std::move(command).value()});
     }
