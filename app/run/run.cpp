@@ -267,11 +267,12 @@ void keep_serving(serve::RunPage& page, const std::atomic<bool>& stop) {
 
 // Runs to the end; whether it was interrupted.
 Result<bool> simulate(assemble::Build& ready, record::RunRecorder& recorder,
-                      const geo::LocalFrame& frame, const RunArguments& arguments,
-                      serve::RunPage* page, const std::atomic<bool>& stop) {
+                      const geo::LocalFrame& frame, const TaskForms& forms,
+                      const RunArguments& arguments, serve::RunPage* page,
+                      const std::atomic<bool>& stop) {
   hmi::TerminalConsole console(stop, stderr, arguments.commands ? STDIN_FILENO : -1);
   console.read_with(
-      [&frame](std::string_view line) { return assemble::read_command(line, frame); });
+      [&](std::string_view line) { return assemble::read_command(line, frame, forms); });
   const auto outcome = page ? run_with_page(ready, recorder, console, *page)
                             : assemble::run_linked(ready, &recorder, console);
   if (!outcome) return outcome.error();
@@ -414,7 +415,8 @@ int run_order(const RunOrder& order, const RunArguments& arguments,
   // Only a run that begins has a page.
   if (page.value()) complain("The page: {}\n", page.value()->place());
   const auto simulated =
-      simulate(ready, recorder, frame.value(), arguments, page.value().get(), stop);
+      simulate(ready, recorder, frame.value(), order.kinds.table().task_forms(),
+               arguments, page.value().get(), stop);
   const bool interrupted =
       simulated ? simulated.value() || (order.recorded && order.recorded->interrupted)
                 : true;

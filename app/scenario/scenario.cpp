@@ -14,7 +14,6 @@
 #include "skein/assemble/radio/radio_file.h"
 #include "skein/assemble/world/verify_kinds.h"
 #include "skein/base/check.h"
-#include "skein/data/team/task_text.h"
 #include "skein/record/store/event_text.h"
 #include "skein/record/store/record_text.h"
 #include "skein/record/store/wire_table_text.h"
@@ -161,14 +160,15 @@ int keys_command(const std::string& document, const std::vector<std::string>& pl
     print("{}", record::events_markdown());
     return kDone;
   }
+  const auto kinds = load_kinds(plugins);
+  if (!kinds) return kBadUsage;
   if (document == "tasks") {
     print(
         "| as a command, after `task AIRCRAFT` | what the aircraft does |\n|---|---|\n");
-    for (const auto& [usage, help] : task_usage()) print("| `{}` | {} |\n", usage, help);
+    for (const TaskForm& form : kinds->table().task_forms().all())
+      print("| `{}` | {} |\n", form.usage, form.help);
     return kDone;
   }
-  const auto kinds = load_kinds(plugins);
-  if (!kinds) return kBadUsage;
   const scenario::Document* other = document_of(document);
   put_out(other ? scenario::keys_as_markdown(*other, table_of(document, *kinds))
                 : scenario::markdown_keys(kinds->table()));

@@ -39,7 +39,7 @@ Json describe_aircraft(const std::string& name, const scenario::AircraftGroup& g
           {"joins_later", group.join > Time()}};
 }
 
-Json describe_run(const scenario::Scenario& scenario) {
+Json describe_run(const scenario::Scenario& scenario, const TaskForms& forms) {
   Json run;
   run["protocol"] = 1;
   run["name"] = scenario.name;
@@ -57,7 +57,7 @@ Json describe_run(const scenario::Scenario& scenario) {
   for (std::size_t g = 0; g < names.size(); ++g)
     for (const std::string& name : names[g])
       run["aircraft"].push_back(describe_aircraft(name, scenario.aircraft[g]));
-  run["task_kinds"] = task_forms();
+  run["task_kinds"] = task_forms(forms);
   return run;
 }
 
@@ -141,12 +141,14 @@ hmi::foxglove::Facts viewer_facts(const RunFacts& facts, const std::string& sess
 
 RunFacts facts_of(const scenario::Scenario& scenario, const assemble::KindRegistry& kinds,
                   const assemble::Build& ready, const std::string& version) {
-  Json run = describe_run(scenario);
+  const std::shared_ptr<const TaskForms>& forms = kinds.kinds().task.forms();
+  Json run = describe_run(scenario, *forms);
   run["version"] = version;
   run["duration_s"] = ready.options.duration.seconds();
   run["centre"] = place(ready.map_centre);
   run["extent_m"] = kExtent;
   RunFacts facts;
+  facts.task_forms = forms;
   facts.description = json::line_of(run);
   facts.terrain =
       assemble::sample_terrain(*ready.world.terrain, ready.map_centre, kHalfSize);
@@ -161,7 +163,7 @@ RunFacts facts_of(const scenario::Scenario& scenario, const assemble::KindRegist
 
 RunFacts facts_of(const scenario::Scenario& scenario,
                   const record::RecordStream& recorded, assemble::TerrainPatch terrain) {
-  Json run = describe_run(scenario);
+  Json run = describe_run(scenario, message_task_forms());
   run["version"] = recorded.info().version;
   run["duration_s"] = recorded.end().seconds();
   run["replay"] = true;
@@ -195,7 +197,7 @@ Result<std::unique_ptr<RunPage>> RunPage::open(const ServeOptions& options,
       [page = page.get()](const hmi::HttpRequest& request) {
         return page->answer(request);
       },
-      viewer_facts(facts, mark, page->frame_));
+      viewer_facts(facts, mark, page->frame_), facts.task_forms);
   page->feed_ = std::make_unique<hmi::LiveFeed>(*page->hub_, facts.duration, facts.speed,
                                                 facts.recorded);
   auto server = hmi::WebServer::open(web.value(), *page->hub_);

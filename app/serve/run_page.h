@@ -29,6 +29,8 @@ struct RunFacts {
   std::string name;          ///< of the run
   std::int64_t start_s = 0;  ///< since 1970 [s]
   geo::Geodetic origin;
+  /// The kinds of tasks that the page may give.
+  std::shared_ptr<const TaskForms> task_forms;
   /// Flies tasks ahead for the page; empty: nobody does.
   std::function<std::unique_ptr<TaskPreviewer>(TaskPreviewer::Answer)> previewer = {};
 };

@@ -3,11 +3,13 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "skein/data/team/task_form.h"
+
 namespace skein::serve {
 
 /// What a page needs to ask a person for a task of each kind, as JSON: kind, help, and
-/// for each field its names in a command, what it is, unit, help and default
-/// (docs/live-feed.md). Follows from the tasks' descriptions.
-nlohmann::ordered_json task_forms();
+/// fields with their types, units and what they are when nothing is entered
+/// (docs/live-feed.md).
+nlohmann::ordered_json task_forms(const TaskForms& forms);
 
 }  // namespace skein::serve

@@ -9,6 +9,7 @@
 #include "skein/assemble/world/aircraft_builder.h"
 #include "skein/assemble/world/build.h"
 #include "skein/data/describe/json.h"
+#include "skein/data/describe/walk.h"
 #include "skein/role/operator_console.h"
 #include "skein/scenario/kind_table.h"
 #include "skein/scenario/utc.h"
@@ -33,20 +34,14 @@ const scenario::AircraftGroup* group_of(const scenario::Scenario& scenario,
 
 // What cannot be foreseen; empty: nothing.
 std::string unforeseen(const TaskKind& what) {
-  if (std::holds_alternative<FollowLeader>(what) || std::holds_alternative<Relay>(what))
-    return "where it leads depends on others.";
-  if (std::holds_alternative<FollowEdge>(what)) return "where it leads will be sensed.";
-  const auto* orbit = std::get_if<Orbit>(&what);
-  if (orbit && orbit->object) return "where it leads depends on what it circles.";
-  return {};
+  if (needs_of(what).foreseen) return {};
+  return others_of(what).empty() ? "where it leads will be sensed."
+                                 : "where it leads depends on others.";
 }
 
 // With its times counted from now on.
 TaskKind from_now(TaskKind what, Time now) {
-  if (auto* rendezvous = std::get_if<Rendezvous>(&what))
-    rendezvous->time = rendezvous->time - now;
-  if (auto* flown = std::get_if<FlyPlan>(&what))
-    for (FlightElement& element : flown->plan) element.start -= now.seconds();
+  walk::shift_times(what, Time() - now);
   return what;
 }
 

@@ -42,7 +42,8 @@ TEST_F(PluginProgram, KeepsItsContract) {
   EXPECT_EQ(verified.out,
             "agent smoke-watch: keeps its contract.\n"
             "estimator circle: keeps its contract.\n"
-            "sensor radiometer: keeps its contract.\n");
+            "sensor radiometer: keeps its contract.\n"
+            "task expanding_square: keeps its contract.\n");
 }
 
 TEST_F(PluginProgram, ARunSaysWhatRepeatsIt) {
@@ -77,6 +78,63 @@ TEST_F(PluginProgram, WrongKeysAndKindsAreReportedLikeOurs) {
                              "missions[0].estimator=cirkle"});
   EXPECT_EQ(kind.status, 2);
   EXPECT_NE(kind.err.find("Did you mean \"circle\"?"), std::string::npos) << kind.err;
+}
+
+TEST_F(PluginProgram, TasksStandBesideOurs) {
+  const Finished list = run({"list", "task", "--plugin", kPlugin});
+  EXPECT_NE(list.out.find("expanding_square"), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("orbit"), std::string::npos) << list.out;
+  const Finished words = run({"keys", "tasks", "--plugin", kPlugin});
+  EXPECT_NE(
+      words.out.find("`expanding_square NORTH,EAST [spacing m] [legs N] [flown N]`"),
+      std::string::npos)
+      << words.out;
+}
+
+// Where a task of the plugin's kind is written wrongly, and what is wrong with it.
+TEST_F(PluginProgram, WrongTasksAreReportedLikeOurs) {
+  const fs::path file =
+      write("wrong.yaml",
+            "name: wrong\nplugins: ['" + std::string(kPlugin) + "']\n" +
+                "missions:\n  - kind: tasks\n    tasks:\n"
+                "      - {task: \"expanding_square 0,0 spacing 0\"}\n"
+                "      - {task: \"expanding_circle 0,0\"}\n"
+                "commands:\n  - {at_s: 5, do: \"task uav-1 expanding_square legs 3\"}\n");
+  const Finished checked = run({"check", file.string(), "--trust", "."});
+  EXPECT_EQ(checked.status, 2);
+  for (const char* said :
+       {"wrong.yaml:6:16 missions[0].tasks[0].task: the spacing is from 1 m to 10000 m.",
+        "wrong.yaml:7:16 missions[0].tasks[1].task: \"expanding_circle\" is no task.",
+        "wrong.yaml:9:19 commands[0].do: expanding_square: it needs a place."})
+    EXPECT_NE(checked.err.find(said), std::string::npos) << said << "\n" << checked.err;
+}
+
+// One from a list, one that an operator commands, two that a team shares.
+TEST_F(PluginProgram, ItsTaskIsFlownAloneAndByATeam) {
+  std::string text = read_file(SKEIN_SOURCE_DIR "/example/my_kinds/search.yaml");
+  const std::string plugin = "build/my_kinds.so";
+  text.replace(text.find(plugin), plugin.size(), kPlugin);
+  write("search.yaml", text);
+  const Finished flown =
+      run({"run", "search.yaml", "--trust", ".", "--out", "run", "--json"});
+  ASSERT_EQ(flown.status, 0) << flown.err;
+  const auto done_by = [&](const std::string& name) {
+    return query(folder_ / "run/run.sqlite",
+                 "select count(*) from events join entities using (entity_id) where kind "
+                 "= 'task-done' and text like '%expanding_square%' and name = '" +
+                     name + "'");
+  };
+  EXPECT_EQ(done_by("lone-1"), 1);
+  EXPECT_EQ(done_by("lone-2"), 1);
+  EXPECT_EQ(done_by("team-1") + done_by("team-2"), 2);
+  // Each of its corners is passed by who flew it.
+  for (const char* corner : {"+ 300 - north_m", "+ 420 - north_m"})
+    EXPECT_LT(query(folder_ / "run/run.sqlite",
+                    "select min(abs(" + std::string(corner) +
+                        ") + abs(300 - east_m)) from truth join entities using "
+                        "(entity_id) where name = 'lone-1'"),
+              60)
+        << corner;
 }
 
 TEST_F(PluginProgram, StudiesTakePlugins) {

@@ -3,7 +3,9 @@
 #include "my_kinds.h"
 
 #include "circle_estimator.h"
+#include "expanding_square.h"
 #include "radiometer.h"
+#include "skein/assemble/kinds/task_row.h"
 #include "smoke_watch.h"
 
 namespace my_kinds {
@@ -55,6 +57,10 @@ void add_kinds(skein::assemble::KindsByRole& kinds) {
                    [](const RadiometerOptions& o, const AircraftContext& c) {
                      return std::make_unique<Radiometer>(o, c.seed, c.self, c.instance);
                    });
+  kinds.task.add<ExpandingSquare>(
+      [](const ExpandingSquare& o, const skein::assemble::TaskContext& c) {
+        return std::make_unique<ExpandingSquareTask>(c.flight, o);
+      });
   // Entities are numbered: the station 0, then the aircraft, here in pairs.
   kinds.agent.add(
       "smoke-watch", "One of two that circle and say what they see.",

@@ -5,7 +5,8 @@
 
 namespace my_kinds {
 
-/// Adds the estimator `circle`, the sensor `radiometer` and the agent `smoke-watch`.
+/// Adds the estimator `circle`, the sensor `radiometer`, the agent `smoke-watch` and the
+/// task `expanding_square`.
 void add_kinds(skein::assemble::KindsByRole& kinds);
 
 }  // namespace my_kinds

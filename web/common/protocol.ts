@@ -89,6 +89,11 @@ export interface MetricSample {
 
 export type What = TaskCommand["what"];
 
+/** The word for a task's kind, one that the page has no type for included. */
+export function taskKind(what: { kind?: string; task_kind?: string }): string {
+  return (what.kind === "named" ? what.task_kind : what.kind) ?? "";
+}
+
 export interface TaskOrder {
   time_s: number;
   entity_id: number;

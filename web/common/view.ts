@@ -5,7 +5,7 @@ import type { Frame } from "./frames";
 import { MapView } from "./map/map_view";
 import type { Terrain } from "./map/terrain";
 import { MapTools } from "./map/tools";
-import type { RunDescription } from "./protocol";
+import { taskKind, type RunDescription } from "./protocol";
 import { loadSettings, saveSettings, type Settings } from "./settings";
 import { T } from "./texts";
 import { Units } from "./units";
@@ -123,7 +123,7 @@ export abstract class RunView {
       task = tasks.get(id);
     // Members of a team that leads itself have their tasks from there.
     if (!task) return T.task.verbs[flown.get(id) ?? ""] ?? T.task.none;
-    return T.task.verbs[task.what.kind] ?? task.what.kind;
+    return T.task.verbs[taskKind(task.what)] ?? taskKind(task.what);
   }
 
   private readonly text = { name: "", line: "", warned: false };

@@ -28,6 +28,7 @@ import type {
 } from "./records";
 import { Fleet, PlayTime, type ShownTime } from "./fleet";
 import type { Frame } from "./frames";
+import { taskKind } from "./protocol";
 import type { Clients, CommandReply, FlightPath, MetricSample, MissionState, OrderMessage, RunClock, TaskOrder, TaskPreview, TaskReason } from "./protocol";
 import type { Decoder, Table } from "./wire";
 
@@ -87,9 +88,9 @@ export interface KeptEvent extends Said {
 
 /** A command in a few words: its kind and the words among its fields. */
 function commandText(command: Record<string, unknown>): string {
-  const what = command.what as { kind?: string } | undefined;
+  const what = command.what as { kind?: string; task_kind?: string } | undefined;
   const words = ["action", "aircraft", "name", "mission", "part", "to", "factor", "steps", "number"].map((key) => command[key]);
-  return [command.kind, ...words, what?.kind].filter((word) => (typeof word === "string" ? word !== "" : typeof word === "number")).join(" ");
+  return [command.kind, ...words, what && taskKind(what)].filter((word) => (typeof word === "string" ? word !== "" : typeof word === "number")).join(" ");
 }
 
 export class World {

@@ -389,7 +389,7 @@ TEST(Replay, ShowsTheRunAtAnyTime) {
 
 // A form that follows from a task's description asks for what its command takes.
 TEST(TaskForms, FilledInWithDefaultsMakeCommands) {
-  const auto forms = task_forms();
+  const auto forms = task_forms(message_task_forms());
   EXPECT_GE(forms.size(), 17U);
   for (const auto& form : forms) {
     Json what = {{"kind", form["kind"]}}, others = Json::array();

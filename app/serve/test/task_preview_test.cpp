@@ -117,6 +117,12 @@ TEST_F(TaskPreviewTest, WhatCannotBeFlownOrForeseenIsSaid) {
   hmi::PreviewOrder other = order(Hold{});
   other.aircraft = "scout-9";
   EXPECT_NE(preview(other).problem.find("scout-9"), std::string::npos);
+  // Of no kind that anybody here flies.
+  NamedTask unknown;
+  unknown.kind = "dance";
+  EXPECT_NE(preview(order(unknown)).problem.find("dance"), std::string::npos);
+  unknown.needs.foreseen = false;
+  EXPECT_NE(preview(order(unknown)).problem.find("sensed"), std::string::npos);
   // Nothing to see with.
   Orbit orbit;
   orbit.object = 0;

@@ -185,14 +185,13 @@ class Fields : public detail::FieldsBase {
   template <class Member>
   Fields& text(std::string key, Member member, std::string help,
                std::vector<std::string> allowed = {}) {
-    return add_leaf<std::string>(key, member, help,
-                                 TextType{std::move(allowed), false, false, false});
+    return add_leaf<std::string>(key, member, help, TextType{std::move(allowed)});
   }
 
   /// A moment as `2026-07-01T12:00:00Z`; a std::string. See parse_utc.
   template <class Member>
   Fields& utc(std::string key, Member member, std::string help) {
-    return add_leaf<std::string>(key, member, help, TextType{{}, true, false, false});
+    return add_leaf<std::string>(key, member, help, TextType{.utc = true});
   }
 
   /// A command that is run, the program and its arguments; a list of std::string. All
@@ -200,14 +199,23 @@ class Fields : public detail::FieldsBase {
   /// relative path starts as file() does.
   template <class Member>
   Fields& program(std::string key, Member member, std::string help) {
-    return add_leaf<std::string>(key, member, help, TextType{{}, false, true, false});
+    return add_leaf<std::string>(key, member, help, TextType{.program = true});
   }
 
   /// A command as an operator gives it (data/command/command_text.h); a std::string. A
   /// file that it names starts as with file(), and its path is absolute after reading.
   template <class Member>
   Fields& order(std::string key, Member member, std::string help) {
-    return add_leaf<std::string>(key, member, help, TextType{{}, false, false, true});
+    return add_leaf<std::string>(key, member, help,
+                                 TextType{.says = TextType::Says::kCommand});
+  }
+
+  /// A task as an operator gives it (data/team/task_text.h), of any kind that there is;
+  /// empty: none. A std::string.
+  template <class Member>
+  Fields& task(std::string key, Member member, std::string help) {
+    return add_leaf<std::string>(key, member, help,
+                                 TextType{.says = TextType::Says::kTask});
   }
 
   /// One of some words; an enumeration.

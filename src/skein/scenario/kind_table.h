@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "skein/data/team/task_form.h"
 #include "skein/scenario/choice.h"
 #include "skein/scenario/fields.h"
 #include "skein/scenario/places.h"
@@ -57,6 +59,15 @@ class KindTable {
   }
   void set_name_hint(NameHint hint) { name_hint_ = std::move(hint); }
 
+  /// The kinds of tasks that commands and missions may name: at first those that messages
+  /// have types for.
+  const TaskForms& task_forms() const {
+    return task_forms_ ? *task_forms_ : message_task_forms();
+  }
+  void set_task_forms(std::shared_ptr<const TaskForms> forms) {
+    task_forms_ = std::move(forms);
+  }
+
   /// The kinds of a role, in the order of adding; none for an unknown role.
   const std::vector<Kind>& of(std::string_view role) const;
   /// Null when there is none.
@@ -70,6 +81,7 @@ class KindTable {
   std::map<std::string, std::vector<Kind>, std::less<>> kinds_;
   FeatureReader feature_reader_;
   NameHint name_hint_;
+  std::shared_ptr<const TaskForms> task_forms_;
 };
 
 /// A kind as a scenario has it that says nothing but its name. It must exist.

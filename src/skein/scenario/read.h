@@ -56,6 +56,8 @@ class Reader {
   void read_leaf(const IntegerType& type, const Node& node, void* target);
   void read_leaf(const BooleanType& type, const Node& node, void* target);
   void read_leaf(const TextType& type, const Node& node, void* target);
+  /// What is wrong with what an operator says, for people; empty: nothing.
+  std::string order_error(const TextType& type, const std::string& text) const;
   void read_leaf(const WordType& type, const Node& node, void* target);
   void read_leaf(const PointType& type, const Node& node, void* target);
   void read_leaf(const FileType& type, const Node& node, void* target);

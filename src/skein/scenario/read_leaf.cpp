@@ -8,6 +8,8 @@
 #include <system_error>
 
 #include "skein/base/time.h"
+#include "skein/data/command/command_text.h"
+#include "skein/data/team/task_text.h"
 #include "skein/geo/vec.h"
 #include "skein/scenario/numbers.h"
 #include "skein/scenario/read.h"
@@ -127,13 +129,32 @@ void Reader::read_leaf(const TextType& type, const Node& node, void* target) {
   auto& text = *static_cast<std::string*>(target);
   text = node.text;
   const bool is_first = !path_.empty() && !path_.back().key && path_.back().index == 0;
-  if (!type.order && !(type.program && is_first)) return;
+  if (std::string wrong = order_error(type, node.text); !wrong.empty())
+    return error(node.place, std::move(wrong));
+  const bool is_order = type.says == TextType::Says::kCommand;
+  if (!is_order && !(type.program && is_first)) return;
   const auto& folder = folders_.of(node.place);
-  NamedPath named = type.order ? find_file_of_order(node.text, folder)
-                               : find_program(node.text, folder);
+  NamedPath named =
+      is_order ? find_file_of_order(node.text, folder) : find_program(node.text, folder);
   if (!named.problem.empty() && care_ == Care::kAll)
     return error(node.place, std::move(named.problem), std::move(named.hint));
   text = std::move(named.path);
+}
+
+std::string Reader::order_error(const TextType& type, const std::string& text) const {
+  if (care_ == Care::kWhatItSays) return {};
+  const auto reason = [](const auto& parsed) {
+    return parsed ? std::string() : parsed.error().text();
+  };
+  switch (type.says) {
+    case TextType::Says::kAnything:
+      break;
+    case TextType::Says::kCommand:
+      return reason(parse_command(text, kinds_.task_forms()));
+    case TextType::Says::kTask:
+      return text.empty() ? "" : reason(parse_task(text, kinds_.task_forms()));
+  }
+  return {};
 }
 
 void Reader::read_leaf(const WordType& type, const Node& node, void* target) {

@@ -72,12 +72,13 @@ struct BooleanType {};
 
 /// A std::string.
 struct TextType {
-  std::vector<std::string> allowed;  ///< empty: any
-  bool utc = false;                  ///< a moment, see utc.h
+  std::vector<std::string> allowed = {};  ///< empty: any
+  bool utc = false;                       ///< a moment, see utc.h
   /// A word of a command that is run: it needs consent, and its first word may be a file.
   bool program = false;
-  bool order =
-      false;  ///< a command of an operator; the file that it may name is absolute
+  /// What an operator says: a whole command, of which the file that it may name is
+  /// absolute, or a task alone.
+  enum class Says { kAnything, kCommand, kTask } says = Says::kAnything;
 };
 
 /// One of some words, each standing for an enumerator.

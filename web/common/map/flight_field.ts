@@ -39,7 +39,8 @@ const plane = new Float64Array(2);
 function pointsOf(what: Record<string, unknown>): [number, number][] {
   const list = (what.points ?? what.line ?? what.area) as [number, number][] | undefined;
   if (Array.isArray(list) && list.length > 0) return what.area || what.closed ? [...list, list[0]] : list;
-  const { north_m, east_m } = what as { north_m?: number; east_m?: number };
+  const named = what as { begin_north_m?: number; begin_east_m?: number };
+  const { north_m = named.begin_north_m, east_m = named.begin_east_m } = what as { north_m?: number; east_m?: number };
   // An edge is followed from where it is found, home is where the aircraft knows it.
   if (what.kind === "follow_edge" || what.at_home === true || north_m == null || east_m == null) return [];
   return [[north_m, east_m]];

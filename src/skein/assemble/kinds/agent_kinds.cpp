@@ -342,8 +342,9 @@ Result<std::unique_ptr<Agent>> make_agent(const AgentChoice& choice,
   tasks.has_camera = c.has_camera;
   return std::unique_ptr<Agent>(std::make_unique<reasoning::OnboardAgent>(
       options, c.station, context, c.zones,
-      [tasks](const TaskKind& task, const reasoning::FlightContext& flown) {
-        return make_task(task, flown, tasks);
+      [kinds = c.tasks, tasks](const TaskKind& task,
+                               const reasoning::FlightContext& flown) {
+        return kinds->make(task, {flown, tasks});
       }));
 }
 

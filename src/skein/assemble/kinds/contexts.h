@@ -40,6 +40,7 @@ class TeamDesk;
 namespace skein::assemble {
 
 struct KindsByRole;
+class TaskKinds;
 
 /// What every terrain, wind and fire is given besides its options.
 struct EnvironmentContext {
@@ -105,6 +106,7 @@ struct AircraftContext {
   /// Those of its team that find other aircraft: they are told where it is, lest they
   /// take it for one.
   std::vector<EntityId> watchers;
+  std::shared_ptr<const TaskKinds> tasks;  ///< what flies tasks; null: nothing does
   /// How it takes part in a team that leads itself; null: it does not.
   std::shared_ptr<const reasoning::OnboardTeamOptions> team;
   std::uint8_t fitted = 0;      ///< bit k: FlightSensor k is on board

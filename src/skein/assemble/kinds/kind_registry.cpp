@@ -17,7 +17,7 @@ void for_each_role(Visit visit) {
   using K = KindsByRole;
   const auto all = [&visit](auto... role) { (visit(role), ...); };
   all(&K::terrain, &K::wind, &K::turbulence, &K::phenomenon, &K::movement, &K::traffic,
-      &K::vehicle, &K::plant, &K::autopilot, &K::sensor, &K::agent, &K::mission,
+      &K::vehicle, &K::plant, &K::autopilot, &K::sensor, &K::agent, &K::task, &K::mission,
       &K::routing, &K::propagation, &K::antenna, &K::error_model, &K::radio,
       &K::estimator, &K::strategy, &K::planner);
 }
@@ -36,6 +36,7 @@ KindsByRole own_kinds() {
   kinds.autopilot = autopilot_kinds();
   kinds.sensor = sensor_kinds();
   kinds.agent = agent_kinds();
+  kinds.task = task_kinds();
   kinds.mission = mission_kinds();
   kinds.routing = routing_kinds();
   kinds.radio = radio_kinds();
@@ -49,9 +50,14 @@ void describe(const KindsByRole& kinds, scenario::KindTable& table) {
   for_each_role([&](auto role) { (kinds.*role).describe(table); });
 }
 
-bool is_name(const std::string& name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+// What parts words in names: tasks are JSON's and wire's values, others keys of files.
+char hyphen_of(std::string_view role) {
+  return role == "task" ? '_' : '-';
+}
+
+bool is_name(const std::string& name, char hyphen) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [hyphen](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == hyphen;
   });
 }
 
@@ -72,6 +78,7 @@ std::string profile_for_kind(std::string_view role, std::string_view name) {
 scenario::KindTable KindsByRole::described() const {
   scenario::KindTable table;
   describe(*this, table);
+  table.set_task_forms(task.forms());
   return table;
 }
 
@@ -89,11 +96,12 @@ Result<void> KindRegistry::add(const KindsByRole& more, const std::string& plugi
   }
   for (const std::string& role : theirs.roles())
     for (const std::string& name : theirs.names(role)) {
-      if (!is_name(name))
+      if (!is_name(name, hyphen_of(role)))
         return refusal(plugin, fmt::format("its {} has the name \"{}\"; lower case "
-                                           "letters, digits and - are allowed.",
-                                           role, name));
-      if (table_.find(role, name) == nullptr) continue;
+                                           "letters, digits and {} are allowed.",
+                                           role, name, hyphen_of(role)));
+      const bool is_task_word = role == "task" && table_.task_forms().find(name);
+      if (!is_task_word && table_.find(role, name) == nullptr) continue;
       const std::string_view other = plugin_of(role, name);
       return refusal(
           plugin,
@@ -103,6 +111,7 @@ Result<void> KindRegistry::add(const KindsByRole& more, const std::string& plugi
     }
   for_each_role([&](auto role) { (kinds_.*role).append(more.*role); });
   describe(more, table_);
+  table_.set_task_forms(kinds_.task.forms());
   for (const std::string& role : theirs.roles())
     for (const std::string& name : theirs.names(role))
       plugin_of_.emplace(fmt::format("{} {}", role, name), plugin);

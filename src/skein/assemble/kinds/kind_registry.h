@@ -10,6 +10,7 @@
 #include "skein/assemble/kinds/code_consent.h"
 #include "skein/assemble/kinds/kinds_of.h"
 #include "skein/assemble/kinds/planner_kinds.h"
+#include "skein/assemble/kinds/task_kinds.h"
 #include "skein/assemble/radio/radio_parts.h"
 #include "skein/base/result.h"
 #include "skein/scenario/kind_table.h"
@@ -23,7 +24,8 @@ namespace skein::assemble {
 ///                      return std::make_unique<SmokeSensor>(o, c.seed, c.self);
 ///                    });
 ///
-/// Those of RadioParts are named by radio files.
+/// Those of RadioParts are named by radio files. Kinds of tasks are rows of values, which
+/// commands and missions write: `kinds.task.add<Spiral>(maker)` (task_row.h).
 struct KindsByRole : RadioParts {
   Kinds<Terrain, EnvironmentContext> terrain{"terrain"};
   Kinds<WindField, EnvironmentContext> wind{"wind"};
@@ -36,6 +38,7 @@ struct KindsByRole : RadioParts {
   Kinds<Autopilot, AircraftContext> autopilot{"autopilot"};
   Kinds<Sensor, AircraftContext> sensor{"sensor"};
   Kinds<Agent, AircraftContext> agent{"agent"};
+  TaskKinds task;
   Kinds<reasoning::PlannedMission, MissionContext> mission{"mission"};
   Kinds<Routing, RoutingContext> routing{"routing"};
   Kinds<Radio, RadioContext> radio{"radio"};

@@ -7,9 +7,9 @@
 #include <map>
 #include <numeric>
 
+#include "skein/assemble/kinds/kind_registry.h"
 #include "skein/assemble/kinds/mission_fields.h"
 #include "skein/assemble/kinds/mission_kinds.h"
-#include "skein/data/describe/words.h"
 #include "skein/data/team/task_text.h"
 #include "skein/layer/reasoning/mission/delegated/delegated_mission.h"
 #include "skein/layer/reasoning/mission/patrol/patrol_mission.h"
@@ -182,7 +182,7 @@ struct TasksChoice : MissionSchedule {
 Fields<TaskChoice> task_fields() {
   using T = TaskChoice;
   return Fields<T>()
-      .text("task", &T::text,
+      .task("task", &T::text,
             "The task, as in the command `task AIRCRAFT ...`: see docs/commands.md.")
       .file(
           "plan", &T::plan,
@@ -225,9 +225,7 @@ Result<ListedTask> listed(const TaskChoice& choice, const StationTeam& station,
     if (!plan) return plan.error();
     task.what = FlyPlan{std::move(plan).value()};
   } else {
-    const auto words = words::split(choice.text);
-    if (words.empty()) return refuse("says no task.");
-    auto text = parse_task(words.front(), std::span(words).subspan(1));
+    auto text = parse_task(choice.text, *c.kinds.task.forms());
     if (!text) return refuse(text.error().message);
     if (!text.value().file.empty()) return refuse("give a plan by the key plan.");
     task.what = std::move(text.value().what);
@@ -243,7 +241,7 @@ Result<ListedTask> listed(const TaskChoice& choice, const StationTeam& station,
     if (!task.aircraft)
       return refuse(fmt::format("there is no aircraft \"{}\".", choice.aircraft));
   }
-  if (std::string error = task_error(task.what); !error.empty())
+  if (std::string error = c.kinds.task.forms()->error(task.what); !error.empty())
     return refuse(std::move(error));
   return task;
 }
@@ -276,7 +274,7 @@ Fields<DelegatedTasksChoice> delegated_fields() {
   using T = DelegatedChoice;
   auto one =
       Fields<T>()
-          .text(
+          .task(
               "task", [](T & t) -> auto& { return t.text; },
               "The task, as in the command `task AIRCRAFT ...`: see docs/commands.md.")
           .file(

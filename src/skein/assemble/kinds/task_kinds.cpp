@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What flies each kind of task: one row each.
+// The kinds of tasks: one row each.
 
 #include "skein/assemble/kinds/task_kinds.h"
 
+#include <type_traits>
+#include <utility>
+
+#include "skein/assemble/kinds/task_row.h"
 #include "skein/layer/reasoning/task/course/course_task.h"
 #include "skein/layer/reasoning/task/edge/edge_task.h"
 #include "skein/layer/reasoning/task/follow/follow_task.h"
@@ -23,74 +27,80 @@ namespace skein::assemble {
 namespace {
 
 using namespace reasoning;
-using MadeTask = Result<std::unique_ptr<TaskExecutor>>;
+using MadeTask = TaskKinds::Made;
 
-Error cannot(std::string why) {
-  return {ErrorCode::kBadInput, "", std::move(why), ""};
+MadeTask cannot(std::string why) {
+  return Error{ErrorCode::kBadInput, "", std::move(why), ""};
 }
 
-// An overload for each kind: the compiler names one that is missing.
-struct TaskMaker {
-  template <class Executor, class... Arguments>
-  static MadeTask make(Arguments&&... arguments) {
-    return std::unique_ptr<TaskExecutor>(
-        std::make_unique<Executor>(std::forward<Arguments>(arguments)...));
-  }
+template <class Executor, class... Arguments>
+MadeTask make_executor(Arguments&&... arguments) {
+  return std::unique_ptr<TaskExecutor>(
+      std::make_unique<Executor>(std::forward<Arguments>(arguments)...));
+}
 
-  MadeTask operator()(const Loiter& t) const { return make<StayTask>(t); }
-  MadeTask operator()(const Hold& t) const { return make<StayTask>(t); }
-  MadeTask operator()(const FlyTo& t) const {
-    return make<GoToTask>(context, t, options.stays);
-  }
-  MadeTask operator()(const FollowEdge& t) const {
-    FollowEdge own = t;
-    own.angle = options.edge_angle.value_or(t.angle);
-    return make<EdgeTask>(context, options.edge, own);
-  }
-  MadeTask operator()(const FollowLine& t) const { return make<LineTask>(context, t); }
-  MadeTask operator()(const FlyCourse& t) const { return make<CourseTask>(context, t); }
-  MadeTask operator()(const FlyRoute& t) const {
-    return make<RouteTask>(context, t, options.lands);
-  }
-  MadeTask operator()(const FollowLeader& t) const {
-    if (t.leader == context.self) return cannot("an aircraft cannot follow itself.");
-    return make<FollowTask>(context, t, options.follow_horizon);
-  }
-  MadeTask operator()(const FlyTour& t) const {
-    return make<TourTask>(context, t, options.tour);
-  }
-  MadeTask operator()(const Survey& t) const { return make<SurveyTask>(context, t); }
-  MadeTask operator()(const Patrol& t) const { return make<PatrolTask>(context, t); }
-  MadeTask operator()(const Orbit& t) const {
-    if (t.object && !options.has_camera)
-      return cannot("it has no camera to see an object with.");
-    return make<OrbitTask>(context, t);
-  }
-  MadeTask operator()(const Measure& t) const { return make<MeasureTask>(context, t); }
-  MadeTask operator()(const Rendezvous& t) const {
-    return make<RendezvousTask>(context, t);
-  }
-  MadeTask operator()(const Relay& t) const {
-    if (t.first == context.self || t.second == context.self)
-      return cannot("an aircraft is no relay to itself.");
-    return make<RelayTask>(t);
-  }
-  MadeTask operator()(const FlyPlan& t) const { return make<PlanTask>(context, t); }
-  MadeTask operator()(const ReturnHome&) const { return make<ReturnTask>(context); }
-  MadeTask operator()(const LandAt& t) const { return make<LandTask>(context, t); }
-
-  const FlightContext& context;
-  const TaskOptions& options;
+// What flies tasks that need no more than their values.
+template <class Executor>
+constexpr auto flown_by = [](const auto& task, const TaskContext& c) {
+  if constexpr (std::is_constructible_v<Executor, decltype(c.flight), decltype(task)>)
+    return std::make_unique<Executor>(c.flight, task);
+  else
+    return std::make_unique<Executor>(task);
 };
+
+MadeTask make_edge_task(FollowEdge task, const TaskContext& c) {
+  task.angle = c.options.edge_angle.value_or(task.angle);
+  return make_executor<EdgeTask>(c.flight, c.options.edge, task);
+}
+
+MadeTask make_follow_task(const FollowLeader& task, const TaskContext& c) {
+  if (task.leader == c.flight.self) return cannot("an aircraft cannot follow itself.");
+  return make_executor<FollowTask>(c.flight, task, c.options.follow_horizon);
+}
+
+MadeTask make_orbit_task(const Orbit& task, const TaskContext& c) {
+  if (task.object && !c.options.has_camera)
+    return cannot("it has no camera to see an object with.");
+  return make_executor<OrbitTask>(c.flight, task);
+}
+
+MadeTask make_relay_task(const Relay& task, const TaskContext& c) {
+  if (task.first == c.flight.self || task.second == c.flight.self)
+    return cannot("an aircraft is no relay to itself.");
+  return make_executor<RelayTask>(task);
+}
 
 }  // namespace
 
-Result<std::unique_ptr<TaskExecutor>> make_task(const TaskKind& task,
-                                                const FlightContext& context,
-                                                const TaskOptions& options) {
-  if (std::string error = task_error(task); !error.empty())
-    return cannot(std::move(error));
-  return std::visit(TaskMaker{context, options}, task);
+TaskKinds task_kinds() {
+  TaskKinds kinds;
+  kinds.add<Loiter>(flown_by<StayTask>);
+  kinds.add<FlyTo>([](const FlyTo& t, const TaskContext& c) {
+    return make_executor<GoToTask>(c.flight, t, c.options.stays);
+  });
+  kinds.add<FollowEdge>(make_edge_task);
+  kinds.add<FollowLine>(flown_by<LineTask>);
+  kinds.add<FlyCourse>(flown_by<CourseTask>);
+  kinds.add<FlyRoute>([](const FlyRoute& t, const TaskContext& c) {
+    return make_executor<RouteTask>(c.flight, t, c.options.lands);
+  });
+  kinds.add<FollowLeader>(make_follow_task);
+  kinds.add<FlyTour>([](const FlyTour& t, const TaskContext& c) {
+    return make_executor<TourTask>(c.flight, t, c.options.tour);
+  });
+  kinds.add<Hold>(flown_by<StayTask>);
+  kinds.add<Survey>(flown_by<SurveyTask>);
+  kinds.add<Patrol>(flown_by<PatrolTask>);
+  kinds.add<Orbit>(make_orbit_task);
+  kinds.add<Measure>(flown_by<MeasureTask>);
+  kinds.add<Rendezvous>(flown_by<RendezvousTask>);
+  kinds.add<Relay>(make_relay_task);
+  kinds.add<FlyPlan>(flown_by<PlanTask>);
+  kinds.add<ReturnHome>([](const ReturnHome&, const TaskContext& c) {
+    return make_executor<ReturnTask>(c.flight);
+  });
+  kinds.add<LandAt>(flown_by<LandTask>);
+  return kinds;
 }
 
 }  // namespace skein::assemble

@@ -100,9 +100,9 @@ std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
   options->sharing = sharing_of(setup);
   options->cruise = context.limits.airspeed;
   std::uint32_t sensors = 0;
-  if (context.has_camera) sensors |= reasoning::kCameraSensor;
-  if (context.has_fire_sensor) sensors |= reasoning::kFireSensor;
-  if (context.limits.slowest <= 0) sensors |= reasoning::kHovers;
+  if (context.has_camera) sensors |= kCameraSensor;
+  if (context.has_fire_sensor) sensors |= kFireSensor;
+  if (context.limits.slowest <= 0) sensors |= kHovers;
   options->sensors = sensors;
   return options;
 }

@@ -9,8 +9,10 @@
 
 #include "skein/assemble/kinds/interface_version.h"
 #include "skein/assemble/kinds/load_plugin.h"
+#include "skein/assemble/kinds/task_row.h"
 #include "skein/assemble/radio/radio_file.h"
 #include "skein/assemble/world/build.h"
+#include "skein/layer/reasoning/task/stay/stay_task.h"
 #include "skein/role/propagation.h"
 #include "skein/role/radio.h"
 #include "skein/role/routing.h"
@@ -73,6 +75,65 @@ TEST(KindRegistry, PluginsKindsAreChosenAndCheckedLikeOurs) {
       << wrong;
   const std::string unknown = read(kinds, "radio: patent").report();
   EXPECT_NE(unknown.find("Did you mean \"patient\"?"), std::string::npos) << unknown;
+}
+
+// Tasks of one kind under several names, which say nothing but where they are.
+template <int kName>
+struct NamedWave {
+  Vec2 place = Vec2::Zero();
+};
+constexpr std::string_view kWaveNames[] = {"wave", "orbit",     "route",
+                                           "Wave", "two-waves", "two_waves"};
+template <int kName>
+constexpr auto describe(const NamedWave<kName>*) {
+  using T = NamedWave<kName>;
+  return described<T>({kWaveNames[kName]}, "Rock the wings.",
+                      field("", &T::place, axes::kPlace, "where"));
+}
+template <int kName>
+KindsByRole with_wave() {
+  KindsByRole kinds;
+  kinds.task.add<NamedWave<kName>>(
+      [](const NamedWave<kName>& wave, const TaskContext&) -> TaskKinds::Made {
+        if (wave.place.x() > 100)
+          return Error{ErrorCode::kBadInput, "", "too far north.", ""};
+        return std::unique_ptr<reasoning::TaskExecutor>(
+            std::make_unique<reasoning::StayTask>(Loiter{wave.place}));
+      });
+  return kinds;
+}
+
+TEST(KindRegistry, PluginsTasksAreWrittenAndMadeLikeOurs) {
+  const KindRegistry kinds = registry_with(with_wave<0>());
+  EXPECT_EQ(kinds.plugin_of("task", "wave"), "test.so");
+  ASSERT_NE(kinds.table().find("task", "orbit"), nullptr);
+  const char* text = "commands: [{at_s: 1, do: \"task uav-1 wave 10,20\"}]";
+  const auto good = read(kinds, text);
+  ASSERT_TRUE(good.ok()) << good.report();
+  EXPECT_TRUE(build(*good.scenario, kinds).ok());
+  EXPECT_NE(read(KindRegistry(), text).report().find("\"wave\" is no task"),
+            std::string::npos);
+
+  const reasoning::FlightContext flight{EntityId{1}, {}, nullptr, nullptr, 100};
+  const TaskOptions options;
+  const TaskContext context{flight, options};
+  EXPECT_TRUE(kinds.kinds().task.make(as_task(NamedWave<0>{{10, 20}}), context));
+  EXPECT_FALSE(kinds.kinds().task.make(as_task(NamedWave<0>{{200, 0}}), context));
+  EXPECT_FALSE(KindRegistry().kinds().task.make(as_task(NamedWave<0>{}), context));
+  EXPECT_FALSE(kinds.kinds().task.make(FlyRoute{}, context)) << "it has no points";
+  EXPECT_TRUE(kinds.kinds().task.make(Hold{}, context));
+}
+
+TEST(KindRegistry, WordsForTasksAreTakenOnce) {
+  KindRegistry kinds = registry_with(with_wave<0>());
+  EXPECT_FALSE(kinds.add(with_wave<0>(), "again.so"));
+  EXPECT_FALSE(kinds.add(with_wave<1>(), "orbit.so"));
+  EXPECT_FALSE(kinds.add(with_wave<2>(), "route.so")) << "short for fly_route";
+  EXPECT_FALSE(kinds.add(with_wave<3>(), "capital.so"));
+  EXPECT_FALSE(kinds.add(with_wave<4>(), "hyphen.so"));
+  EXPECT_TRUE(kinds.add(with_wave<5>(), "two.so"));
+  EXPECT_EQ(kinds.kinds().task.forms()->all().size(),
+            message_task_forms().all().size() + 2);
 }
 
 // A protocol that adds so many bytes to each message.

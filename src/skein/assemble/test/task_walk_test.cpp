@@ -24,10 +24,11 @@ class Walk {
   explicit Walk(std::uint64_t seed)
       : random_(seed, 0, Purpose::kTest, 0),
         agent_({}, kStation, context_, {},
-               [](const TaskKind& task, const reasoning::FlightContext& context) {
+               [kinds = task_kinds()](const TaskKind& task,
+                                      const reasoning::FlightContext& context) {
                  TaskOptions options;
                  options.has_camera = true;
-                 return make_task(task, context, options);
+                 return kinds.make(task, {context, options});
                }) {}
 
   // Half a second.

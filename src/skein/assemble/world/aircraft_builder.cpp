@@ -103,6 +103,7 @@ AircraftBuilder::AircraftBuilder(const scenario::Scenario& scenario,
                                  const OutsideLinks& links, RecordedReports* recorded)
     : scenario_(scenario),
       kinds_(kinds),
+      tasks_(std::make_shared<const TaskKinds>(kinds.task)),
       map_(std::move(map)),
       zones_(zones),
       wind_(wind),
@@ -129,6 +130,7 @@ AircraftContext AircraftBuilder::context_of(const AircraftGroup& group, int inde
   context.zones = zones_;
   context.phenomena = scenario_.environment.phenomena.size();
   context.planner = planner_;
+  context.tasks = tasks_;
   context.place_period = place_period_;
   context.gains = gains_of(group.plant);
   context.shared = &shared_[&group];

@@ -100,6 +100,7 @@ class AircraftBuilder {
 
   const scenario::Scenario& scenario_;
   const KindsByRole& kinds_;
+  std::shared_ptr<const TaskKinds> tasks_;
   std::shared_ptr<const Terrain> map_;
   const std::vector<Zone>& zones_;
   const WindField& wind_;

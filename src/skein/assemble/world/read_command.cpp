@@ -6,8 +6,9 @@
 
 namespace skein::assemble {
 
-Result<Command> read_command(std::string_view line, const geo::LocalFrame& frame) {
-  auto command = parse_command(line);
+Result<Command> read_command(std::string_view line, const geo::LocalFrame& frame,
+                             const TaskForms& forms) {
+  auto command = parse_command(line, forms);
   if (!command) return command;
   auto* task = std::get_if<TaskCommand>(&command.value());
   if (!task || task->file.empty()) return command;

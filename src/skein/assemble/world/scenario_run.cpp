@@ -74,14 +74,15 @@ Result<std::unique_ptr<ScenarioRun>> ScenarioRun::open(
   if (!places) return places.error();
   if (options.prepare) options.prepare(ready.world);
   return std::unique_ptr<ScenarioRun>(
-      new ScenarioRun(scenario, std::move(frame).value(), std::move(built).value(),
-                      std::move(places).value(), options));
+      new ScenarioRun(scenario, std::move(frame).value(), kinds.table().task_forms(),
+                      std::move(built).value(), std::move(places).value(), options));
 }
 
 ScenarioRun::ScenarioRun(const scenario::Scenario& scenario, geo::LocalFrame frame,
-                         Build ready, std::vector<std::string> places,
+                         TaskForms forms, Build ready, std::vector<std::string> places,
                          const ScenarioRunOptions& options)
     : frame_(std::move(frame)),
+      forms_(std::move(forms)),
       ready_(std::move(ready)),
       places_(std::move(places)),
       recorder_({options.version, scenario.seed, scenario.name, "", scenario.start_utc}),
@@ -111,7 +112,7 @@ Result<simulation::RunOutcome> ScenarioRun::run_paced(OperatorConsole& console) 
 }
 
 Result<void> ScenarioRun::command(const std::string& sender, std::string_view line) {
-  auto read = read_command(line, frame_);
+  auto read = read_command(line, frame_, forms_);
   if (!read) return read.error();
   return command(sender, read.value());
 }

@@ -17,6 +17,7 @@
 #include "skein/data/event/event.h"
 #include "skein/data/event/record.h"
 #include "skein/data/vehicle/autopilot.h"
+#include "skein/data/team/task_form.h"
 #include "skein/data/vehicle/sensing.h"
 #include "skein/data/vehicle/vehicle.h"
 #include "skein/geo/local_frame.h"
@@ -132,8 +133,9 @@ class ScenarioRun {
   bool real_time() const { return ready_.mixed; }
 
  private:
-  ScenarioRun(const scenario::Scenario& scenario, geo::LocalFrame frame, Build ready,
-              std::vector<std::string> places, const ScenarioRunOptions& options);
+  ScenarioRun(const scenario::Scenario& scenario, geo::LocalFrame frame, TaskForms forms,
+              Build ready, std::vector<std::string> places,
+              const ScenarioRunOptions& options);
   template <class T>
   Result<T> of(std::string_view name, const char* missing,
                std::optional<T> (simulation::Run::*ask)(EntityId) const) const;
@@ -143,6 +145,7 @@ class ScenarioRun {
                                      const) const;
 
   geo::LocalFrame frame_;
+  TaskForms forms_;
   Build ready_;
   std::vector<std::string> places_;
   record::SummaryRecorder recorder_;

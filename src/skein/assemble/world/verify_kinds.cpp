@@ -11,6 +11,7 @@
 #include "skein/geo/local_frame.h"
 #include "skein/layer/environment/terrain/synthetic_terrain.h"
 #include "skein/layer/environment/wind/uniform_wind.h"
+#include "skein/layer/reasoning/agent/onboard_agent.h"
 #include "skein/layer/reasoning/station/mission_control.h"
 #include "skein/layer/reasoning/team/onboard/team_desk.h"
 #include "skein/role/agent.h"
@@ -99,6 +100,7 @@ class Stage {
     context.map =
         std::make_shared<environment::FlatTerrain>(environment::FlatTerrainOptions{});
     context.planner = std::make_shared<solve::AaStar>();
+    context.tasks = std::make_shared<const TaskKinds>(kinds_.kinds().task);
     if (plant) context.limits = plant->limits();
     if (plant) context.airframe = plant->airframe();
     context.initial = start(context.limits);
@@ -151,6 +153,7 @@ class Stage {
 
   KindVerdict autopilot_verdict(const scenario::Kind& kind) const;
   KindVerdict vehicle_verdict(const scenario::Kind& kind) const;
+  KindVerdict task_verdict(const scenario::Kind& kind) const;
   auto agent_suite(bool has_vehicle) const {
     return [this, has_vehicle](const contract::Make<Agent>& make) {
       const NavEstimate nav = start(plants_.front().second->limits());
@@ -227,6 +230,33 @@ KindVerdict Stage::vehicle_verdict(const scenario::Kind& kind) const {
   return verdict;
 }
 
+// Of the task as it is when nothing is said, on board of an agent that flies nothing
+// else.
+KindVerdict Stage::task_verdict(const scenario::Kind& kind) const {
+  KindVerdict verdict{"task", kind.name, "", {}};
+  const AircraftContext context = aircraft(plants_.front().second.get());
+  const TaskKinds& tasks = *context.tasks;
+  reasoning::OnboardAgentOptions options;
+  options.takes_orders = false;
+  options.first_task = tasks.forms()->find(kind.name)->plain;
+  const reasoning::FlightContext flown{context.self, context.limits, context.map.get(),
+                                       context.planner, context.altitude_agl};
+  TaskOptions with;
+  with.has_camera = true;
+  if (const auto made = tasks.make(*options.first_task, {flown, with}); !made) {
+    verdict.not_tested = made.error().text();
+    return verdict;
+  }
+  verdict.violations = agent_suite(true)([&]() -> std::unique_ptr<Agent> {
+    return std::make_unique<reasoning::OnboardAgent>(
+        options, context.station, flown, zones_,
+        [&](const TaskKind& task, const reasoning::FlightContext& how) {
+          return tasks.make(task, {how, with});
+        });
+  });
+  return verdict;
+}
+
 KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) const {
   const scenario::Choice choice =
       scenario::default_choice(kinds_.table(), role, kind.name);
@@ -252,6 +282,7 @@ KindVerdict Stage::verdict(const std::string& role, const scenario::Kind& kind) 
   if (role == "plant") test(subject(all.plant, choice), contract::plant_violations);
   if (role == "autopilot") return autopilot_verdict(kind);
   if (role == "vehicle") return vehicle_verdict(kind);
+  if (role == "task") return task_verdict(kind);
   if (role == "sensor") test(subject(all.sensor, choice), contract::sensor_violations);
   if (role == "agent") test(subject(all.agent, choice), agent_suite(true));
   if (role == "mission")

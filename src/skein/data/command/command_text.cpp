@@ -33,9 +33,9 @@ Error wrong(std::string message, std::string usage) {
 constexpr const char* kUsage =
     "Commands: zone, task, team, flight, mission, allocation, pause, resume, step, "
     "speed, fault, repair, wind, add, remove, hand-back.";
-std::string task_hint() {
+std::string task_hint(const TaskForms& forms) {
   std::string hint = "Say: task AIRCRAFT pause, resume, cancel, give AIRCRAFT";
-  for (const auto& [usage, help] : task_usage()) hint += "; " + usage;
+  for (const TaskForm& form : forms.all()) hint += "; " + form.usage;
   return hint + ".";
 }
 
@@ -64,11 +64,12 @@ std::optional<TaskChangeCommand> task_change(Words given) {
   return std::nullopt;
 }
 
-Result<Command> task(Words given) {
-  if (given.size() < 2) return wrong("a task needs an aircraft and a kind.", task_hint());
+Result<Command> task(Words given, const TaskForms& forms) {
+  if (given.size() < 2)
+    return wrong("a task needs an aircraft and a kind.", task_hint(forms));
   if (auto change = task_change(given)) return Command(*std::move(change));
-  auto text = parse_task(given[1], given.subspan(2));
-  if (!text) return wrong(text.error().message, task_hint());
+  auto text = parse_task(given[1], given.subspan(2), forms);
+  if (!text) return wrong(text.error().message, task_hint(forms));
   TaskText& said = text.value();
   return Command(TaskCommand{std::string(given[0]), std::move(said.what),
                              std::move(said.others), std::move(said.file)});
@@ -184,7 +185,7 @@ std::optional<std::vector<std::uint32_t>> task_numbers(std::string_view word) {
   }
 }
 
-std::string team_task_error(const TeamTaskCommand& command) {
+std::string team_task_error(const TeamTaskCommand& command, const TaskForms& forms) {
   if (command.action != TeamTaskAction::kAdd && command.number == 0)
     return "tasks are numbered from 1.";
   if (command.after.size() > kMaxBefore)
@@ -197,10 +198,10 @@ std::string team_task_error(const TeamTaskCommand& command) {
   // Names become numbers later.
   const bool is_open =
       command.action == TeamTaskAction::kWithdraw || !command.others.empty();
-  return is_open ? "" : task_error(command.what);
+  return is_open ? "" : forms.error(command.what);
 }
 
-Result<Command> team(Words given) {
+Result<Command> team(Words given, const TaskForms& forms) {
   const auto refuse = [](std::string why) {
     return wrong(std::move(why),
                  "Say: team add survey ..., or team add after 1,2 group survey ...; "
@@ -241,19 +242,21 @@ Result<Command> team(Words given) {
     return Command(std::move(command));
   }
   if (given.empty()) return refuse("what is to be done?");
-  auto text = parse_task(given[0], given.subspan(1));
+  auto text = parse_task(given[0], given.subspan(1), forms);
   if (!text) return refuse(text.error().message);
   if (!text.value().file.empty())
     return refuse("a plan from a file is for one aircraft.");
   command.what = std::move(text.value().what);
   command.others = std::move(text.value().others);
-  if (std::string error = team_task_error(command); !error.empty())
+  if (std::string error = team_task_error(command, forms); !error.empty())
     return refuse(std::move(error));
   return Command(std::move(command));
 }
 
 // What the types of its fields leave open: empty when it can be obeyed.
 struct ValueCheck {
+  const TaskForms& forms;
+
   std::string operator()(const StepCommand& c) {
     return c.steps >= 1 && c.steps <= kMaxCount ? "" : "steps are counted from 1.";
   }
@@ -271,28 +274,48 @@ struct ValueCheck {
     if (!c.others.empty() || !c.file.empty()) return "";
     const auto* followed = std::get_if<FollowLine>(&c.what);
     if (followed && followed->points.size() < 2) return "a line has two points or more.";
-    return task_error(c.what);
+    return forms.error(c.what);
   }
   std::string operator()(const ZoneChange& c) {
     return c.number == 0 ? "" : "the ground station numbers changes, not the operator.";
   }
   std::string operator()(const FlightChangeCommand& c) { return flight_error(c); }
-  std::string operator()(const TeamTaskCommand& c) { return team_task_error(c); }
+  std::string operator()(const TeamTaskCommand& c) { return team_task_error(c, forms); }
   std::string operator()(const auto&) { return ""; }
 };
 
+// Has the task of a command, of a kind without a type in messages, as it travels.
+Result<void> name_task(json::Json& command, const TaskForms& forms) {
+  if (!command.is_object()) return {};
+  const auto what = command.find("what");
+  if (what == command.end() || !what->is_object()) return {};
+  const auto kind = what->find("kind");
+  if (kind == what->end() || !kind->is_string()) return {};
+  const TaskForm* form = forms.find(kind->get<std::string>());
+  if (!form || message_task_forms().find(form->kind)) return {};
+  const auto task = form->from_json(*what);
+  if (!task) return task.error();
+  json::Json named{{"kind", kind_of<NamedTask>()}};
+  named.update(json::to_json(std::get<NamedTask>(task.value())));
+  *what = std::move(named);
+  return {};
+}
+
 // A command as programs write it: an object with its kind and fields.
-Result<Command> parse_object(std::string_view line) {
-  auto command = json::from_json<Command>(json::Json::parse(line, nullptr, false));
+Result<Command> parse_object(std::string_view line, const TaskForms& forms) {
+  json::Json object = json::Json::parse(line, nullptr, false);
+  if (const auto named = name_task(object, forms); !named) return named.error();
+  auto command = json::from_json<Command>(object);
   if (!command) return command.error();
-  if (std::string error = std::visit(ValueCheck(), command.value()); !error.empty())
+  if (std::string error = std::visit(ValueCheck{forms}, command.value()); !error.empty())
     return wrong(std::move(error), "");
   return command;
 }
 
-Result<Command> parse_valid(std::string_view line) {
+Result<Command> parse_valid(std::string_view line, const TaskForms& forms) {
   const std::size_t begin = line.find_first_not_of(" \t");
-  if (begin != std::string_view::npos && line[begin] == '{') return parse_object(line);
+  if (begin != std::string_view::npos && line[begin] == '{')
+    return parse_object(line, forms);
   const std::vector<std::string_view> all = words::split(line);
   if (all.empty()) return wrong("this is no command.", kUsage);
   const std::string_view verb = all[0];
@@ -302,8 +325,8 @@ Result<Command> parse_valid(std::string_view line) {
     if (!change) return change.error();
     return Command(std::move(change).value());
   }
-  if (verb == "task") return task(given);
-  if (verb == "team") return team(given);
+  if (verb == "task") return task(given, forms);
+  if (verb == "team") return team(given, forms);
   if (verb == "flight") return flight(given);
   if (verb == "mission") return mission(given);
   if (verb == "allocation") return allocation(given);
@@ -324,8 +347,9 @@ Result<Command> parse_valid(std::string_view line) {
 
 }  // namespace
 
-Result<Command> parse_command(std::string_view line) {
-  return is_valid_text(line) ? parse_valid(line) : parse_valid(valid_text(line));
+Result<Command> parse_command(std::string_view line, const TaskForms& forms) {
+  return is_valid_text(line) ? parse_valid(line, forms)
+                             : parse_valid(valid_text(line), forms);
 }
 
 }  // namespace skein

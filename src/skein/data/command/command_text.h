@@ -5,6 +5,7 @@
 
 #include "skein/base/result.h"
 #include "skein/data/command/command.h"
+#include "skein/data/team/task_form.h"
 
 namespace skein {
 
@@ -25,8 +26,10 @@ namespace skein {
 /// Programs may write it as a JSON object instead, with its kind and the fields of its
 /// description: {"kind": "speed", "factor": 10}.
 ///
-/// @param line  any bytes: what is no text becomes U+FFFD (valid_text.h).
+/// @param line   any bytes: what is no text becomes U+FFFD (valid_text.h).
+/// @param forms  of the kinds of tasks that there are.
 /// Fails: kBadInput when the line is none of these; the message says what is wrong.
-Result<Command> parse_command(std::string_view line);
+Result<Command> parse_command(std::string_view line,
+                              const TaskForms& forms = message_task_forms());
 
 }  // namespace skein

@@ -1,138 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/data/team/task.h"
 
-#include <cmath>
-#include <cstddef>
-#include <span>
+#include "skein/data/describe/type_traits.h"
+#include "skein/data/describe/walk.h"
+#include "skein/data/team/task_facts.h"
 
 namespace skein {
 namespace {
 
-constexpr double kMaxTime = 1e7;        // of a task [s]
-constexpr double kMaxCoordinate = 1e7;  // [m]
-constexpr std::size_t kMaxPoints = 100'000;
-
-bool usable(const Vec2& p) {
-  return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxCoordinate;
+// Calls `visit(id)` for each entity that a task is about.
+template <class Kind, class Visit>
+void for_each_other(Kind& task, Visit visit) {
+  std::visit(
+      [&]<class T>(T& values) {
+        using Plain = std::remove_const_t<T>;
+        if constexpr (std::is_same_v<Plain, NamedTask>)
+          for (auto& id : values.others) visit(id);
+        else
+          for_each_field<Plain>([&]<class O, class M, class F>(const Field<O, M, F>& f) {
+            if constexpr (type_traits::kIsId<M>) visit(values.*f.member);
+          });
+      },
+      task);
 }
 
-std::string points_error(std::span<const Vec2> points, std::size_t min,
-                         const char* needs) {
-  if (points.size() < min) return needs;
-  if (points.size() > kMaxPoints) return "it has too many points.";
-  for (const Vec2& point : points)
-    if (!usable(point)) return "a point is no place.";
-  return {};
+std::string check_task(const NamedTask& task) {
+  if (task.kind.empty()) return "it has no kind.";
+  TaskNeeds needs = task.needs;
+  if (!walk::has_sound_numbers(needs) || !(needs.length >= 0) || !(needs.stay >= 0))
+    return "what it takes is no number.";
+  return needs.begin ? place_error(*needs.begin) : std::string();
 }
 
-std::string duration_error(double seconds) {
-  return seconds >= 0 && seconds <= kMaxTime ? "" : "a time must be 0 s or more.";
+TaskNeeds needs_of_task(const NamedTask& task) {
+  return task.needs;
 }
-
-// An overload for each kind: the compiler names one that is missing.
-struct ErrorOf {
-  static std::string place(const Vec2& p) {
-    return usable(p) ? "" : "the point is no place.";
-  }
-  static std::string laps(int count) {
-    return count >= 1 ? "" : "it has one lap or more.";
-  }
-
-  std::string operator()(const Loiter& t) const { return place(t.centre); }
-  std::string operator()(const FlyTo& t) const { return place(t.point); }
-  std::string operator()(const FollowEdge& t) const {
-    if (!t.tangent.allFinite() || !std::isfinite(t.angle)) return "a direction is none.";
-    return place(t.start);
-  }
-  std::string operator()(const FollowLine& t) const {
-    return points_error(t.points, 0, "");
-  }
-  std::string operator()(const FlyCourse& t) const {
-    return std::isfinite(t.course) ? "" : "the course is none.";
-  }
-  std::string operator()(const FlyRoute& t) const {
-    if (auto error = points_error(t.points, 1, "a route has a point or more.");
-        !error.empty())
-      return error;
-    return laps(t.laps);
-  }
-  std::string operator()(const FollowLeader& t) const { return place(t.offset); }
-  std::string operator()(const FlyTour& t) const {
-    if (auto error = points_error(t.points, 2, "a tour has two points or more.");
-        !error.empty())
-      return error;
-    return laps(t.laps);
-  }
-  std::string operator()(const Hold&) const { return {}; }
-  std::string operator()(const Survey& t) const {
-    if (auto error = points_error(t.area, 3, "an area has three corners or more.");
-        !error.empty())
-      return error;
-    for (const geo::Ring& hole : t.holes)
-      if (auto error = points_error(hole, 3, "a hole has three corners or more.");
-          !error.empty())
-        return error;
-    if (!(t.swath > 0) || !(t.swath <= kMaxCoordinate))
-      return "the swath must be above 0 m.";
-    if (!(t.overlap >= 0) || !(t.overlap < 1)) return "the overlap is a share below 1.";
-    if (t.lines.size() % 2 != 0) return "each line has a begin and an end.";
-    return points_error(t.lines, 0, "");
-  }
-  std::string operator()(const Patrol& t) const {
-    if (!std::isfinite(t.offset) || std::abs(t.offset) > kMaxCoordinate || t.rounds < 0)
-      return "the offset must be a number, the rounds 0 or more.";
-    return points_error(t.line, 2, "a line has two points or more.");
-  }
-  std::string operator()(const Orbit& t) const {
-    if (!(t.radius >= 0) || !(t.radius <= kMaxCoordinate))
-      return "the radius must be 0 m or more.";
-    if (auto error = duration_error(t.duration); !error.empty()) return error;
-    return place(t.point);
-  }
-  std::string operator()(const Measure& t) const {
-    if (auto error = duration_error(t.stay); !error.empty()) return error;
-    return place(t.point);
-  }
-  std::string operator()(const Rendezvous& t) const {
-    if (t.course && !std::isfinite(*t.course)) return "the course is none.";
-    if (auto error = duration_error(t.time.seconds()); !error.empty()) return error;
-    return place(t.point);
-  }
-  std::string operator()(const Relay& t) const {
-    return t.first == t.second ? "a relay is between two others." : "";
-  }
-  std::string operator()(const FlyPlan& t) const {
-    if (t.plan.empty()) return "the plan is empty.";
-    for (const FlightElement& e : t.plan) {
-      const bool fine = std::isfinite(e.start) && e.duration > 0 &&
-                        e.duration <= kMaxTime && e.p_N.allFinite() &&
-                        std::isfinite(e.heading) && e.airspeed > 0 &&
-                        std::isfinite(e.airspeed) && std::isfinite(e.turn_rate) &&
-                        std::isfinite(e.climb_rate) &&
-                        std::isfinite(e.climb_acceleration) && e.wind.allFinite();
-      if (!fine) return "an element of the plan is no flight.";
-    }
-    return {};
-  }
-  std::string operator()(const ReturnHome&) const { return {}; }
-  std::string operator()(const LandAt& t) const { return place(t.place); }
-};
 
 }  // namespace
 
 std::string_view kind_of(const TaskKind& task) {
+  if (const auto* named = std::get_if<NamedTask>(&task)) return named->kind;
   return std::visit([]<class T>(const T&) { return kind_of<T>(); }, task);
 }
 
+std::vector<EntityId> others_of(const TaskKind& task) {
+  std::vector<EntityId> others;
+  for_each_other(task, [&](EntityId id) { others.push_back(id); });
+  return others;
+}
+
 void bind_others(TaskKind& task, std::span<const EntityId> others) {
-  if (auto* follow = std::get_if<FollowLeader>(&task); follow && others.size() == 1)
-    follow->leader = others[0];
-  else if (auto* relay = std::get_if<Relay>(&task); relay && others.size() == 2)
-    *relay = {others[0], others[1]};
+  if (others.size() != others_of(task).size()) return;
+  std::size_t next = 0;
+  for_each_other(task, [&](EntityId& id) { id = others[next++]; });
 }
 
 std::string task_error(const TaskKind& task) {
-  return std::visit(ErrorOf(), task);
+  return std::visit([](const auto& values) { return check_task(values); }, task);
+}
+
+TaskNeeds needs_of(const TaskKind& task) {
+  return std::visit([](const auto& values) { return needs_of_task(values); }, task);
 }
 
 }  // namespace skein

@@ -14,21 +14,29 @@
 
 namespace skein {
 
-/// What an aircraft may be asked to do. New kinds go to the end: the place in this list
-/// is part of the wire form.
+/// What an aircraft may be asked to do: the place in this list is part of the wire form.
+/// A kind of task needs no place here; without one it travels as a NamedTask.
 using TaskKind = std::variant<Loiter, FlyTo, FollowEdge, FollowLine, FlyCourse, FlyRoute,
                               FollowLeader, FlyTour, Hold, Survey, Patrol, Orbit, Measure,
-                              Rendezvous, Relay, FlyPlan, ReturnHome, LandAt>;
+                              Rendezvous, Relay, FlyPlan, ReturnHome, LandAt, NamedTask>;
 
-/// The word for a task.
+/// The word for a task. Valid as long as the task.
 std::string_view kind_of(const TaskKind& task);
 
-/// Puts numbers of entities into a task, in the order in which it is about them.
+/// Whom a task is about: whose positions who flies it needs.
+std::vector<EntityId> others_of(const TaskKind& task);
+
+/// Puts numbers of entities into a task, in the order in which it is about them; as many
+/// as it is about, else nothing is done.
 void bind_others(TaskKind& task, std::span<const EntityId> others);
 
 /// What is wrong with the values of a task, for people; empty when it says something to
-/// fly.
+/// fly. Of a NamedTask what can be said without its kind.
 std::string task_error(const TaskKind& task);
+
+/// Where a task takes place, and what it takes. Lengths are of straight legs; of a survey
+/// the area over the distance of its lines.
+TaskNeeds needs_of(const TaskKind& task);
 
 /// One order for one aircraft. Numbers grow; an agent keeps the newest.
 struct Task {

@@ -3,15 +3,18 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "skein/base/id.h"
 #include "skein/base/time.h"
 #include "skein/data/describe/describe.h"
+#include "skein/data/team/task_needs.h"
 #include "skein/data/vehicle/flight_plan.h"
 #include "skein/geo/polygon.h"
 
-// What an aircraft may be asked to do: a value for each kind of task.
+// What an aircraft may be asked to do: a value for each kind of task that messages have a
+// type for, and one for all others. New kinds need none: docs/guide/task.md.
 
 namespace skein {
 
@@ -276,6 +279,25 @@ constexpr auto describe(const LandAt*) {
   return described<T>({"land"}, "Land.",
                       field("at_home", &T::at_home, "where the flight began"),
                       field("", &T::place, axes::kPlace, "else here"));
+}
+
+/// A task of a kind that messages have no type for, by its name: what others need to know
+/// of it stands beside its values, which only who knows the kind can read
+/// (task_value.h).
+struct NamedTask {
+  std::string kind;
+  std::vector<EntityId> others;  ///< whom it is about, in the order of its values
+  TaskNeeds needs;
+  std::vector<std::uint8_t> coded;  ///< its values, as wire::encode() makes them
+};
+
+constexpr auto describe(const NamedTask*) {
+  using T = NamedTask;
+  return described<T>({"named"}, "A task of a kind that messages know by its name only.",
+                      field("task_kind", &T::kind, "which kind"),
+                      field("others", &T::others, Storage::kJson, "whom it is about"),
+                      field("", &T::needs, "where it is, and what it takes"),
+                      field("coded", &T::coded, Storage::kBytes, "its values, coded"));
 }
 
 }  // namespace skein

@@ -4,19 +4,11 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "skein/base/result.h"
-#include "skein/data/team/task.h"
+#include "skein/data/team/task_form.h"
 
 namespace skein {
-
-/// A task as a person writes it, before names have become numbers and files plans.
-struct TaskText {
-  TaskKind what = Loiter{};
-  std::vector<std::string> others;  ///< names, in the order of the task's entities
-  std::string file;                 ///< that the plan of a FlyPlan is read from
-};
 
 /// A task from its kind and what follows, by the description of its values:
 ///
@@ -28,11 +20,13 @@ struct TaskText {
 /// - any other word: the name of an aircraft, or `station`;
 /// - `file NAME`: a file with a plan.
 ///
+/// @param forms  of the kinds that there are.
 /// Fails: kBadInput, saying what the kind takes.
 Result<TaskText> parse_task(std::string_view kind,
-                            std::span<const std::string_view> words);
+                            std::span<const std::string_view> words,
+                            const TaskForms& forms = message_task_forms());
 
-/// A line for each kind of task: how it is written, and what it is. For help and docs.
-std::vector<std::pair<std::string, std::string>> task_usage();
+/// As parse_task(), of a whole line: "orbit 100,200 radius 80".
+Result<TaskText> parse_task(std::string_view line, const TaskForms& forms);
 
 }  // namespace skein

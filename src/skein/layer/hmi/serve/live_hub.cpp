@@ -213,7 +213,7 @@ void LiveHub::obey(ClientNumber client, const ClientRequest& request) {
 
 void LiveHub::command(ClientNumber client, std::uint32_t number,
                       const std::string& line) {
-  auto parsed = parse_command(line);
+  auto parsed = parse_command(line, task_forms());
   if (!parsed)
     return answer_to(client, number, RequestState::kRefused, parsed.error().text());
   if (const std::string fault = fault_of(parsed.value()); !fault.empty())
@@ -240,7 +240,7 @@ void LiveHub::hand_to_run(ClientNumber client, std::uint32_t number,
 // Who only asks needs no control.
 void LiveHub::preview(ClientNumber client, std::uint32_t number,
                       const std::string& line) {
-  auto parsed = parse_command(line);
+  auto parsed = parse_command(line, task_forms());
   if (!parsed)
     return answer_to(client, number, RequestState::kRefused, parsed.error().text());
   auto* task = std::get_if<TaskCommand>(&parsed.value());

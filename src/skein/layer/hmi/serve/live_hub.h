@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "skein/data/command/command.h"
 #include "skein/data/event/live.h"
+#include "skein/data/team/task_form.h"
 #include "skein/layer/hmi/serve/client_request.h"
 #include "skein/layer/hmi/serve/foxglove/viewers.h"
 #include "skein/layer/hmi/serve/web_server.h"
@@ -57,8 +59,11 @@ class LiveHub final : public WebListener {
 
   /// @param answer  by the server's thread.
   /// @param facts   for viewers that speak Foxglove's protocol.
-  LiveHub(Answerer answer, const foxglove::Facts& facts)
-      : answer_(std::move(answer)), viewers_(facts) {}
+  /// @param forms   of the kinds of tasks that may be given; null: those that messages
+  ///                have types for.
+  LiveHub(Answerer answer, const foxglove::Facts& facts,
+          std::shared_ptr<const TaskForms> forms = {})
+      : answer_(std::move(answer)), viewers_(facts), forms_(std::move(forms)) {}
 
   /// Once, before anything else, and before the server is started.
   void attach(WebServer& server) {
@@ -122,9 +127,11 @@ class LiveHub final : public WebListener {
   void count_watchers();
   std::string name_of(ClientNumber client) const;
   std::string sender_of(ClientNumber client) const;
+  const TaskForms& task_forms() const { return forms_ ? *forms_ : message_task_forms(); }
 
   Answerer answer_;
   foxglove::Viewers viewers_;
+  std::shared_ptr<const TaskForms> forms_;
   WebServer* server_ = nullptr;
   std::atomic<std::size_t> open_ = 0, whole_ = 0;  // watchers without and with the truth
   std::atomic<bool> state_wanted_ = false;

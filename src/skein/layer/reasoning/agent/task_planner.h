@@ -80,7 +80,7 @@ class TaskPlanner final : public PlannerOfChain {
   EntityId station_;
   MakeTask make_;
   std::unique_ptr<TaskExecutor> executor_;
-  std::string_view kind_;                  // of the present task
+  std::string kind_;                       // of the present task
   std::string refused_;                    // why the last one could not be flown
   std::uint32_t order_ = 0;                // newest
   std::uint32_t flight_change_ = 0;        // newest

@@ -13,14 +13,6 @@ constexpr double kResendAfter = 3;     // an order not confirmed by now is sent 
 constexpr double kSilent = 5;          // an aircraft unheard for so long [s]
 constexpr double kPositionPeriod = 1;  // of the station's own, to relays [s]
 
-// Whose positions a task needs.
-std::vector<EntityId> subjects_of(const TaskKind& task) {
-  if (const auto* follows = std::get_if<FollowLeader>(&task)) return {follows->leader};
-  if (const auto* relays = std::get_if<Relay>(&task))
-    return {relays->first, relays->second};
-  return {};
-}
-
 }  // namespace
 
 OrderServer::OrderServer(const std::vector<NamedAircraft>& team, std::size_t missions,
@@ -59,9 +51,9 @@ OrderServer::Member* OrderServer::find(EntityId id) {
 
 void OrderServer::set_task(Member& member, Task task) {
   const auto place = static_cast<std::size_t>(&member - members_.data());
-  for (const EntityId subject : subjects_of(member.task.what))
+  for (const EntityId subject : others_of(member.task.what))
     std::erase(listeners_[subject], place);
-  for (const EntityId subject : subjects_of(task.what)) {
+  for (const EntityId subject : others_of(task.what)) {
     std::vector<std::size_t>& listeners = listeners_[subject];
     const auto at = std::ranges::lower_bound(listeners, place);
     if (at == listeners.end() || *at != place) listeners.insert(at, place);

@@ -6,43 +6,6 @@
 #include <algorithm>
 
 namespace skein::reasoning {
-namespace {
-
-// Where a task takes place, for who is near.
-std::optional<Vec2> place_of(const TaskKind& task) {
-  struct Visitor {
-    using Place = std::optional<Vec2>;
-    static Place first(const std::vector<Vec2>& points) {
-      return points.empty() ? Place() : Place(points.front());
-    }
-    Place operator()(const Loiter& t) const { return t.centre; }
-    Place operator()(const FlyTo& t) const { return t.point; }
-    Place operator()(const FollowEdge& t) const { return t.start; }
-    Place operator()(const FollowLine& t) const { return first(t.points); }
-    Place operator()(const FlyCourse&) const { return {}; }
-    Place operator()(const FlyRoute& t) const { return first(t.points); }
-    Place operator()(const FollowLeader&) const { return {}; }
-    Place operator()(const FlyTour& t) const { return first(t.points); }
-    Place operator()(const Hold&) const { return {}; }
-    Place operator()(const Survey& t) const { return first(t.area); }
-    Place operator()(const Patrol& t) const { return first(t.line); }
-    Place operator()(const Orbit& t) const { return t.point; }
-    Place operator()(const Measure& t) const { return t.point; }
-    Place operator()(const Rendezvous& t) const { return t.point; }
-    Place operator()(const Relay&) const { return {}; }
-    Place operator()(const FlyPlan& t) const {
-      return t.plan.empty() ? Place() : Place(geo::horizontal(t.plan.front().p_N));
-    }
-    Place operator()(const ReturnHome&) const { return {}; }
-    Place operator()(const LandAt& t) const {
-      return t.at_home ? Place() : Place(t.place);
-    }
-  };
-  return std::visit(Visitor(), task);
-}
-
-}  // namespace
-
 TaskMission::TaskMission(const std::vector<EntityId>& team, std::vector<ListedTask> tasks)
     : TaskingMission(team) {
   for (ListedTask& task : tasks) entries_.push_back({std::move(task), {}, false});
@@ -56,7 +19,7 @@ MissionDemand TaskMission::demand() const {
   demand.min = std::min(1, demand.max);
   for (const Entry& entry : entries_)
     if (!entry.over && !entry.flown_by && !demand.place)
-      demand.place = place_of(entry.task.what);
+      demand.place = needs_of(entry.task.what).begin;
   return demand;
 }
 
@@ -98,7 +61,7 @@ void TaskMission::look_at(Entry& entry, Time now, AgentOutput& out) {
 }
 
 TaskingMission::Aircraft* TaskMission::free_for(const Entry& entry) {
-  const auto place = place_of(entry.task.what);
+  const auto place = needs_of(entry.task.what).begin;
   Aircraft* best = nullptr;
   for (Aircraft& each : team()) {
     const bool busy = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {

@@ -6,33 +6,11 @@
 #include <vector>
 
 #include "skein/data/team/task.h"
+#include "skein/data/team/task_needs.h"
 #include "skein/data/team/team_message.h"
 #include "skein/layer/reasoning/team/onboard/flight_conditions.h"
 
 namespace skein::reasoning {
-
-/// Bits of TeamResources::sensors and TeamTask::sensors.
-enum TeamSensors : std::uint32_t {
-  kCameraSensor = 1,
-  kFireSensor = 2,
-  kHovers = 4,  ///< no sensor: it can stay at a place
-};
-
-/// What a task takes of an aircraft that flies it alone.
-struct TaskNeeds {
-  std::optional<Vec2> begin = {};  ///< where it begins, N [m]; none: anywhere
-  std::optional<Vec2> end = {};    ///< where it ends, N [m]; none: where it begins
-  Vec2 centre = Vec2::Zero();      ///< of it, N [m]; of no place: the origin
-  double length = 0;               ///< of the flight within it [m]
-  double stay = 0;                 ///< besides [s]
-  bool endless = false;            ///< until another order
-  std::uint32_t sensors = 0;       ///< without which it cannot be flown
-  bool better_hovering = false;    ///< about one place
-};
-
-/// From what the task says. Lengths are of straight legs; of a survey the area over the
-/// distance of its lines.
-TaskNeeds needs_of(const TaskKind& task);
 
 /// Of a task that a team has; nothing is known of what cannot be read but its place.
 TaskNeeds needs_of(const TeamTask& task);
