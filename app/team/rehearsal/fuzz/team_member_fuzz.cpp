@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   reasoning::TeamConfig config;
   config.structure = static_cast<reasoning::TeamStructure>(data[0] % 4);
-  config.fixed_master = EntityId{2};
+  config.fixed_leader = EntityId{2};
   config.approval = (data[0] & 8) != 0;
   if ((data[0] & 16) != 0)
     config.operators = {(data[0] & 32) != 0 ? EntityId{3} : EntityId{2}};

@@ -80,7 +80,7 @@ TEST(TeamMember, AGroundStationLeadsAndFliesNothing) {
   SmallTeam team;
   reasoning::TeamConfig config;
   config.structure = reasoning::TeamStructure::kFixedMaster;
-  config.fixed_master = EntityId{9};
+  config.fixed_leader = EntityId{9};
   for (const std::uint32_t id : {2U, 4U, 9U}) team.add(id, config);
   TeamResources station;
   station.able = false;

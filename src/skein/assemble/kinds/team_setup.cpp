@@ -79,7 +79,7 @@ TeamConfig team_config(const scenario::Scenario& scenario, std::size_t station,
       break;
     case TeamSetup::Structure::kFixedLeader:
       config.structure = TeamStructure::kFixedMaster;
-      config.fixed_master = id;
+      config.fixed_leader = id;
       break;
     case TeamSetup::Structure::kAuction:
       config.structure = TeamStructure::kAuction;

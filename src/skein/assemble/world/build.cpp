@@ -44,8 +44,8 @@ std::vector<CommandRecord> planned_commands(WorldDraft& draft) {
       all.push_back(
           {change.at, "scenario", ZoneChange{0, change.on, scenario::to_zone(zone)}});
   for (const scenario::PlannedCommand& planned : draft.scenario.commands) {
-    auto command = read_command(planned.text, draft.frame,
-                                draft.kinds.table().task_forms());
+    auto command =
+        read_command(planned.text, draft.frame, draft.kinds.table().task_forms());
     if (draft.note(command))
       all.push_back({planned.at, "scenario", std::move(command).value()});
   }

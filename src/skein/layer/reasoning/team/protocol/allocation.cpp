@@ -57,6 +57,16 @@ std::set<std::uint32_t> executed(std::span<const TeamWorker> workers) {
 
 }  // namespace
 
+TeamWorker worker_of(EntityId id, const TeamInform& inform) {
+  TeamWorker worker{id, inform.resources, {}};
+  for (const TeamProgress& task : inform.tasks)
+    if (task.share < 1) {
+      worker.tasks.push_back(task.task);
+      worker.shares.push_back(task.share);
+    }
+  return worker;
+}
+
 bool refuses(const TeamResources& member, std::uint32_t task) {
   return std::ranges::find(member.refused, task) != member.refused.end();
 }

@@ -25,6 +25,9 @@ struct TeamWorker {
 /// Whether a member has said that it cannot fly the task of a number.
 bool refuses(const TeamResources& member, std::uint32_t task);
 
+/// A member as it says of itself: with the tasks that it has not done yet.
+TeamWorker worker_of(EntityId id, const TeamInform& inform);
+
 /// For each worker the numbers of its tasks, in the order in which it flies them.
 using TeamAllocation = std::map<EntityId, std::vector<std::uint32_t>>;
 

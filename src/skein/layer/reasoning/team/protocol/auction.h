@@ -11,7 +11,7 @@
 
 namespace skein::reasoning {
 
-/// Tasks are shared without a master, by a consensus-based bundle algorithm.
+/// Tasks are shared without a leader, by a consensus-based bundle algorithm.
 ///
 /// Each member builds a bundle: again and again the task of the largest marginal utility
 /// among those for which it offers more than the highest bid that it knows (of equal bids

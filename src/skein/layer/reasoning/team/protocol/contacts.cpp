@@ -187,6 +187,23 @@ TeamVerdict TeamContacts::take(EntityId from, bool to_all, const TeamMessage& me
   return verdict;
 }
 
+std::map<std::uint32_t, EntityId> TeamContacts::executors(double now,
+                                                          double forgotten) const {
+  std::map<std::uint32_t, EntityId> all;
+  for (const auto& [id, contact] : contacts_) {
+    if (now - contact.informed > forgotten) continue;
+    const auto& tasks = contact.inform.tasks;
+    if (tasks.empty()) continue;
+    const auto left = std::ranges::find_if(
+        tasks, [](const TeamProgress& task) { return task.share < 1; });
+    const auto flown = left == tasks.end() ? tasks.front().task : left->task;
+    const auto [known, is_first] = all.try_emplace(flown, id);
+    if (!is_first && contact.informed > contacts_.at(known->second).informed)
+      known->second = id;
+  }
+  return all;
+}
+
 TeamVerdict TeamContacts::judge(Peer& peer, const TeamMessage& message, bool to_all,
                                 double now, const TeamSilence& silence) {
   Sequence& sequence = to_all ? peer.to_all : peer.to_self;

@@ -65,6 +65,9 @@ class TeamContacts {
 
   const std::map<EntityId, Contact>& all() const { return contacts_; }
   const Contact* find(EntityId id) const;
+  /// Who executes which task, as members have said not longer than `forgotten` [s] ago;
+  /// of several who has said so last.
+  std::map<std::uint32_t, EntityId> executors(double now, double forgotten) const;
   /// Something else of it was heard: a report, a plan.
   void note_heard(EntityId id, double now);
   /// Whether a sender has begun to count anew with the last message taken.

@@ -41,6 +41,29 @@ bool TeamKnowledge::withdraw(std::uint32_t task) {
   return true;
 }
 
+bool TeamKnowledge::finish(std::uint32_t task) {
+  const auto known = tasks.find(task);
+  if (known == tasks.end() || known->second.done) return false;
+  known->second.done = true;
+  return true;
+}
+
+bool TeamKnowledge::is_over(std::uint32_t task) const {
+  const auto known = tasks.find(task);
+  return known != tasks.end() && known->second.done;
+}
+
+std::vector<TeamTask> TeamKnowledge::open() const {
+  std::vector<TeamTask> all;
+  for (const auto& [number, task] : tasks) {
+    if (task.done) continue;
+    all.push_back(task);
+    std::erase_if(all.back().after,
+                  [this](std::uint32_t other) { return is_over(other); });
+  }
+  return all;
+}
+
 std::uint32_t TeamKnowledge::meetings(EntityId a, EntityId b) const {
   const auto found = met_.find(pair_of(a, b));
   return found == met_.end() ? 0 : found->second;
@@ -81,20 +104,20 @@ void TeamKnowledge::take(const TeamState& state) {
   if (incoming_.number != state.number) incoming_ = {state.number, {}};
   incoming_.parts[state.part] = state.tasks;
   if (incoming_.parts.size() < state.parts) return;
-  std::map<std::uint32_t, TeamTask> masters;
+  std::map<std::uint32_t, TeamTask> leaders;
   for (const auto& [part, some] : incoming_.parts)
-    for (const TeamTask& task : some) masters[task.number] = task;
+    for (const TeamTask& task : some) leaders[task.number] = task;
   news_.clear();
   for (auto& [number, own] : tasks) {
-    const auto [place, is_lacking] = masters.try_emplace(number, own);
+    const auto [place, is_lacking] = leaders.try_emplace(number, own);
     if (is_lacking || knows_more(own, place->second)) news_.insert(number);
     learn(place->second, own);
   }
-  tasks = std::move(masters);
+  tasks = std::move(leaders);
 }
 
-void TeamKnowledge::compare(std::span<const TeamTask> masters) {
-  for (const TeamTask& task : masters)
+void TeamKnowledge::compare(std::span<const TeamTask> leaders) {
+  for (const TeamTask& task : leaders)
     if (const auto own = tasks.find(task.number);
         own != tasks.end() && knows_more(own->second, task))
       news_.insert(task.number);
@@ -108,7 +131,7 @@ TeamState TeamKnowledge::news() const {
   return state;
 }
 
-void TeamKnowledge::forget_master() {
+void TeamKnowledge::forget_leader() {
   incoming_ = {};
   news_.clear();
 }

@@ -13,7 +13,7 @@
 
 namespace skein::reasoning {
 
-/// What a member knows of its mission: tasks, and which masters have met.
+/// What a member knows of its mission: tasks, and which leaders have met.
 class TeamKnowledge {
  public:
   std::map<std::uint32_t, TeamTask> tasks;
@@ -24,7 +24,15 @@ class TeamKnowledge {
   /// @returns  false when it is not known, or over.
   bool withdraw(std::uint32_t task);
 
-  /// How often two masters have met.
+  /// A task is done.
+  /// @returns  whether that is news: it is known here, and was not over.
+  bool finish(std::uint32_t task);
+  /// Whether a task is known to be done or withdrawn.
+  bool is_over(std::uint32_t task) const;
+  /// Tasks that are not over; of TeamTask::after what is not over.
+  std::vector<TeamTask> open() const;
+
+  /// How often two leaders have met.
   std::uint32_t meetings(EntityId a, EntityId b) const;
   /// The larger number of meetings counts.
   void note(const TeamMeeting& meeting);
@@ -34,19 +42,23 @@ class TeamKnowledge {
 
   /// One part of what there is to say, in turn.
   TeamState part(std::uint32_t index, std::vector<EntityId> members) const;
+  /// The part after the one that was last asked for by this.
+  TeamState next_part(std::vector<EntityId> members) {
+    return part(next_part_++, std::move(members));
+  }
   std::uint32_t parts() const;
 
-  /// Takes in a part of the master's; what it says replaces all when the last is there.
-  /// But what is done, withdrawn or approved stays so, and tasks that the master lacks
+  /// Takes in a part of the leader's; what it says replaces all when the last is there.
+  /// But what is done, withdrawn or approved stays so, and tasks that the leader lacks
   /// are kept.
   void take(const TeamState& state);
-  /// The master has said these tasks: what it does not know of them is news to it.
-  void compare(std::span<const TeamTask> masters);
-  /// What it knows and the master does not, as much as one message holds; without tasks:
+  /// The leader has said these tasks: what it does not know of them is news to it.
+  void compare(std::span<const TeamTask> leaders);
+  /// What it knows and the leader does not, as much as one message holds; without tasks:
   /// nothing.
   TeamState news() const;
-  /// Another one is the master.
-  void forget_master();
+  /// Another one is the leader.
+  void forget_leader();
   /// Takes from a part what is new here: tasks, those that are done or approved,
   /// meetings.
   /// @param branch  that new tasks belong to when they belong to none.
@@ -66,7 +78,8 @@ class TeamKnowledge {
     std::map<std::uint32_t, std::vector<TeamTask>> parts;
   };
   Incoming incoming_;
-  std::set<std::uint32_t> news_;  // tasks of which the master knows less
+  std::uint32_t next_part_ = 0;
+  std::set<std::uint32_t> news_;  // tasks of which the leader knows less
 };
 
 /// The ids of members as one number.

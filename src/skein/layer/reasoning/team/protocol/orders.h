@@ -10,7 +10,7 @@
 
 namespace skein::reasoning {
 
-/// The orders of a master: each is acknowledged, or repeated, or reported.
+/// The orders of a leader: each is acknowledged, or repeated, or reported.
 ///
 /// A task that moves from one member to another is first taken from the one, and given to
 /// the other when the first has acknowledged that, says that it does not execute it, or

@@ -30,11 +30,11 @@ constexpr auto names_of(const TeamStructure*) {
 
 /// Who leads of those that hear each other; must be the same in every member, and not
 /// depend on the order. `ids` are ascending, at least one.
-using SelectMaster = std::function<EntityId(std::span<const EntityId> ids)>;
+using SelectLeader = std::function<EntityId(std::span<const EntityId> ids)>;
 /// The default rule.
 EntityId lowest_id(std::span<const EntityId> ids);
 
-/// Whether a master would take a newcomer.
+/// Whether a leader would take a newcomer.
 using AdmitNewcomer =
     std::function<bool(const TeamResources& newcomer, std::span<const TeamTask> tasks,
                        std::span<const TeamWorker> workers)>;
@@ -51,19 +51,19 @@ double nearness(const TeamTask& task, const TeamResources& self,
 struct TeamConfig {
   TeamTimes times;
   TeamStructure structure = TeamStructure::kMaster;
-  std::optional<EntityId> fixed_master = std::nullopt;  ///< for kFixedMaster
+  std::optional<EntityId> fixed_leader = std::nullopt;  ///< for kFixedMaster
   std::set<EntityId> known;  ///< who may be in the team; empty: anybody
   /// Ground stations, where operators hand in tasks. They lead only until they can hand
   /// over to somebody else, and are never selected.
   std::set<EntityId> operators;
-  /// A master allocates anew after so long, whatever has happened [s]; 0: only when a
+  /// A leader allocates anew after so long, whatever has happened [s]; 0: only when a
   /// task or a member came or went.
   double allocation_period = 0;
   /// An allocation comes into force when the operator has approved it: at a station of
-  /// `operators`, or of the fixed master. Only for structures in which somebody leads.
+  /// `operators`, or of the fixed leader. Only for structures in which somebody leads.
   bool approval = false;
   std::map<EntityId, std::string> names;  ///< for texts; who has none: the number
-  SelectMaster select = lowest_id;
+  SelectLeader select = lowest_id;
   AllocateTasks allocate = allocate_nearest;
   DivideTasks divide = divide_by_size;
   AdmitNewcomer admit = {};  ///< none: everybody

@@ -41,7 +41,7 @@ class LossMeter {
 /// @returns  [s].
 double time_until_lost(const TeamTimes& times, double loss);
 
-/// How often a follower says that it is there, while it receives its master and has
+/// How often a follower says that it is there, while it receives its leader and has
 /// nothing new to say, so that each receives no more of it than in a team of twelve:
 ///
 ///   T_f = T_q max(1, min(n / 12, 5)),  at most 5 s where T_q is less

@@ -51,7 +51,7 @@ struct AirTeam {
     config.times.radio_range = 0;
     config.times.mission_diameter = 0;
     if (structure == TeamStructure::kMaster) config.operators = {EntityId{0}};
-    if (structure == TeamStructure::kFixedMaster) config.fixed_master = EntityId{0};
+    if (structure == TeamStructure::kFixedMaster) config.fixed_leader = EntityId{0};
     restart();
   }
   /// The station begins anew.

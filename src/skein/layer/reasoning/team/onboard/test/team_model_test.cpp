@@ -14,7 +14,7 @@ TeamConfig config_of(TeamStructure structure, const RandomTeam::Size& size = {})
   TeamConfig config;
   config.structure = structure;
   if (structure == TeamStructure::kMaster) config.operators = {TeamWorld::kStation};
-  if (structure == TeamStructure::kFixedMaster) config.fixed_master = TeamWorld::kStation;
+  if (structure == TeamStructure::kFixedMaster) config.fixed_leader = TeamWorld::kStation;
   config.times.mission_diameter = 0;
   config.times.radio_range = 0;
   config.allocation_period = 5;
