@@ -200,8 +200,8 @@ TEST(ScenarioRun, LeavesNothingBehindWhenItIsDroppedOnTheWay) {
     const auto run = open();
     ASSERT_TRUE(run->step(20).ok());
   }
-  EXPECT_EQ(entries("/proc/self/task"), threads);
-  EXPECT_EQ(entries("/proc/self/fd"), files);
+  EXPECT_LE(entries("/proc/self/task"), threads);
+  EXPECT_LE(entries("/proc/self/fd"), files);
   EXPECT_TRUE(fs::is_empty(folder));
   fs::current_path(before);
 }
