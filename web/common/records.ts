@@ -275,10 +275,27 @@ export interface Land {
   east_m: number | null; // else here
 }
 
+/** A task of a kind that messages know by its name only. */
+export interface Named {
+  task_kind: string; // which kind
+  others: number[]; // whom it is about
+  begin: number | null; // where it begins; null: anywhere
+  end: number | null; // where it ends; null: where it begins
+  centre_north_m: number | null; // of it; of no place: the origin
+  centre_east_m: number | null; // of it; of no place: the origin
+  length_m: number | null; // of the flight within it
+  stay_s: number | null; // besides
+  endless: boolean; // until another order
+  sensors: number; // a bit for each kind that it takes
+  better_hovering: boolean; // it is about one place
+  foreseen: boolean; // where it leads follows from its values
+  coded: number[]; // its values, coded
+}
+
 /** One order for one aircraft. */
 export interface Task {
   task_number: number; // the newest counts
-  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what to do
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land) | ({ kind: "named" } & Named); // what to do
 }
 
 /** The sender is there, nothing more. */
@@ -340,7 +357,7 @@ export interface TaskReport {
   task_number: number; // of the task
   state: "none" | "flying" | "paused" | "done" | "impossible"; // how far it is
   reason: string; // why it is impossible; else empty
-  rest: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what is left of it
+  rest: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land) | ({ kind: "named" } & Named); // what is left of it
 }
 
 /** Where somebody has seen an object. */
@@ -868,7 +885,7 @@ export interface RangeScan {
 /** One aircraft shall do this until the mission resumes. */
 export interface TaskCommand {
   aircraft: string; // who
-  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what to do
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land) | ({ kind: "named" } & Named); // what to do
   others: string[]; // names of those it is about; empty: it has their numbers
   file: string; // with the plan of a fly_plan
 }
@@ -1107,7 +1124,7 @@ export interface PositionFix {
 /** What a program outside asks of an aircraft. */
 export interface Vehicle {
   aircraft: string; // who
-  request: ({ kind: "set_mode" } & SetMode) | ({ kind: "arm" } & Arm) | ({ kind: "take_off" } & TakeOff) | ({ kind: "land" } & Land) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "bank_setpoint" } & BankSetpoint) | ({ kind: "track_setpoint" } & TrackSetpoint) | ({ kind: "set_speed" } & SetSpeed) | ({ kind: "upload_mission" } & UploadMission) | ({ kind: "start_mission" } & StartMission) | ({ kind: "pilot" } & Pilot) | ({ kind: "obstacles" } & Obstacles) | ({ kind: "upload_fence" } & UploadFence) | ({ kind: "position_fix" } & PositionFix); // what
+  request: ({ kind: "set_mode" } & SetMode) | ({ kind: "arm" } & Arm) | ({ kind: "take_off" } & TakeOff) | ({ kind: "land" } & Land) | ({ kind: "named" } & Named) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "bank_setpoint" } & BankSetpoint) | ({ kind: "track_setpoint" } & TrackSetpoint) | ({ kind: "set_speed" } & SetSpeed) | ({ kind: "upload_mission" } & UploadMission) | ({ kind: "start_mission" } & StartMission) | ({ kind: "pilot" } & Pilot) | ({ kind: "obstacles" } & Obstacles) | ({ kind: "upload_fence" } & UploadFence) | ({ kind: "position_fix" } & PositionFix); // what
 }
 
 /** An allocation that a team has proposed comes into force, or not. */
@@ -1128,7 +1145,7 @@ export interface ChangeFlight {
 export interface ChangeTeamTask {
   action: "add" | "withdraw" | "change"; // what becomes of it
   number: number; // which is withdrawn or changed
-  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land); // what to do
+  what: ({ kind: "loiter" } & Loiter) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "follow_edge" } & FollowEdge) | ({ kind: "follow_line" } & FollowLine) | ({ kind: "fly_course" } & FlyCourse) | ({ kind: "fly_route" } & FlyRoute) | ({ kind: "follow_leader" } & FollowLeader) | ({ kind: "fly_tour" } & FlyTour) | ({ kind: "hold" } & Hold) | ({ kind: "survey" } & Survey) | ({ kind: "patrol" } & Patrol) | ({ kind: "orbit" } & Orbit) | ({ kind: "measure" } & Measure) | ({ kind: "rendezvous" } & Rendezvous) | ({ kind: "relay" } & Relay) | ({ kind: "fly_plan" } & FlyPlan) | ({ kind: "return" } & Return) | ({ kind: "land" } & Land) | ({ kind: "named" } & Named); // what to do
   others: string[]; // names of those it is about; empty: it has their numbers
   after: number[]; // numbers of tasks that are over before one that is added
   group: boolean; // several may fly one that is added

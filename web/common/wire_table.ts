@@ -284,6 +284,23 @@ export const kTable: Table = {
       ["at_home", "flag"],
       ["", "vec2", "_m", 1, "north east altitude_msl", -1],
     ],
+    TaskNeeds: [
+      ["begin", "vec2?", "_m", 1, "north east altitude_msl", -1],
+      ["end", "vec2?", "_m", 1, "north east altitude_msl", -1],
+      ["centre", "vec2", "_m", 1, "north east altitude_msl", -1],
+      ["length", "f64", "_m"],
+      ["stay", "f64", "_s"],
+      ["endless", "flag"],
+      ["sensors", "uint"],
+      ["better_hovering", "flag"],
+      ["foreseen", "flag"],
+    ],
+    Named: [
+      ["task_kind", "text"],
+      ["others", "uint[]"],
+      ["", "@TaskNeeds"],
+      ["coded", "u8[]"],
+    ],
     Task: [
       ["task_number", "uint"],
       ["what", "|Choice3"],
@@ -1375,6 +1392,7 @@ export const kTable: Table = {
       ["fly_plan", "@FlyPlan"],
       ["return", "@Return"],
       ["land", "@Land"],
+      ["named", "@Named"],
     ],
     Choice4: [
       ["ring", "vec2[]"],
