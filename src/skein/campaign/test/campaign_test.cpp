@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "skein/scenario/kind_table.h"
+#include "skein/scenario/test/fake_kinds.h"
 
 namespace skein::campaign::campaign_test {
 namespace {
@@ -74,9 +75,15 @@ BatchOutcome outcome(double perf) {
 }
 
 TEST_F(CampaignTest, ReadsItsScenarioOnceHoweverManyRunsThereAre) {
-  const auto file = read(kTwoAxes);
+  const auto file = read(
+      "seeds: 3\n"
+      "axes: [{name: length, variants: [{name: short}, {name: long, set: "
+      "[duration_s=20]}]}]\n"
+      "draws: [{key: step_s, among: [\"0.01\", \"0.02\"]}]\n"
+      "figures: [{figure: perf}]\n");
   ASSERT_TRUE(file) << file.error().text();
-  const ScenarioReader reader(kinds_);
+  const scenario::KindTable kinds = scenario::test::fake_kinds();
+  const ScenarioReader reader(kinds);
   const auto first = plan_campaign(file.value(), {}, reader);
   ASSERT_TRUE(first) << first.error().text();
   // What is written meanwhile does not make two kinds of runs in one campaign.
@@ -86,7 +93,7 @@ TEST_F(CampaignTest, ReadsItsScenarioOnceHoweverManyRunsThereAre) {
   ASSERT_EQ(again.value().items.size(), first.value().items.size());
   for (std::size_t k = 0; k < first.value().items.size(); ++k)
     EXPECT_EQ(again.value().items[k].text, first.value().items[k].text);
-  EXPECT_FALSE(plan_campaign(file.value(), {}, kinds_)) << "another reader reads anew";
+  EXPECT_FALSE(plan_campaign(file.value(), {}, kinds)) << "another reader reads anew";
 }
 
 TEST_F(CampaignTest, PreparingItStopsWhenAsked) {
