@@ -101,7 +101,8 @@ TEST(TeamElection, AStationLeadsOnlyWhenItsTeamIsGone) {
     station.at(k * kStep);
     EXPECT_TRUE(is_none(election.step(station.state, false)));
   }
-  EXPECT_TRUE(is_none(elect(election, station, 60, {kB}))) << "the other one may lead";
+  const double patience = station.state.exchange_time();
+  EXPECT_TRUE(is_none(elect(election, station, patience, {kB}))) << "that one may lead";
   EXPECT_FALSE(is_none(elect(election, station, 60, {})));
 }
 

@@ -50,7 +50,7 @@ TEST(TeamKnowledge, AnOrderToDoWhatIsDoneIsNewsToTheMaster) {
   const std::vector<TeamTask> ordered = {task(1), task(2)};
   knowledge.compare(ordered);
   EXPECT_EQ(knowledge.news().tasks, std::vector<TeamTask>{task(1, true)});
-  knowledge.forget_master();
+  knowledge.forget_leader();
   EXPECT_TRUE(knowledge.news().tasks.empty());
 }
 
