@@ -41,7 +41,8 @@ TEST(Separation, IsThatOfFlightsThatCross) {
 
 TEST(Separation, ARoomEndsInTimeHeightAndBreadth) {
   const FlightPlan own = straight(-500, 500, 0, 100);
-  // Crossed 10.2 s behind: 13.4 s later the nearest place is 30 m and more away.
+  // The other comes 9.9 s later, within the 10 s behind; or so late that it passes
+  // 45 m / sqrt(2) from the room's end.
   EXPECT_EQ(look({own, straight(0, 0, 90, 100, 9.9)}).pairs_in_rooms, 1);
   EXPECT_EQ(look({own, straight(0, 0, 90, 100, 14.5)}).pairs_in_rooms, 0);
   EXPECT_EQ(look({own, straight(0, 0, 90, 119, 2)}).pairs_in_rooms, 1);
