@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Allocation: what coalitions, sequences and tours cost to find, how far they are from
-// their bounds, and what an auction loses against them.
+// their bounds.
 
 #include <benchmark/benchmark.h>
 
@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "skein/base/math.h"
-#include "skein/solve/allocation/auction.h"
 #include "skein/solve/allocation/coalitions.h"
 #include "skein/solve/allocation/search_random.h"
 #include "skein/solve/allocation/sequences.h"
@@ -136,49 +135,6 @@ BENCHMARK_CAPTURE(routes, discounted_10x5, 5, 10, SequenceObjective::kDiscounted
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(routes, discounted_100x20, 20, 100, SequenceObjective::kDiscounted)
     ->Unit(benchmark::kMillisecond);
-
-// An auction over the same values: what it loses against the answer of one master [%].
-void auction(benchmark::State& state, std::size_t aircraft, std::size_t tasks) {
-  double lost = 0, count = 0;
-  std::uint64_t seed = 0;
-  for (auto _ : state) {
-    const auto problem =
-        some_sequences(++seed, aircraft, tasks, SequenceObjective::kDiscounted);
-    const auto value = [&](std::size_t a, std::span<const std::uint32_t> path) {
-      double time = 0, sum = 0;
-      for (std::size_t k = 0; k < path.size(); ++k) {
-        time += k == 0 ? problem.from_start(a, path[0])
-                       : problem.between(a, path[k - 1], path[k]);
-        sum += problem.tasks[path[k]].value * math::exp(-problem.discount * time);
-      }
-      return sum;
-    };
-    std::vector<Bidder> bidders;
-    for (std::uint32_t a = 0; a < aircraft; ++a) {
-      bidders.emplace_back(EntityId{a}, tasks,
-                           [&value, a](auto path) { return value(a, path); });
-      for (std::uint32_t t = 0; t < tasks; ++t) bidders[a].set_task(t, 1);
-    }
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (Bidder& bidder : bidders) changed = bidder.build() || changed;
-      for (std::size_t from = 0; from < aircraft; ++from) {
-        const AuctionMessage message = bidders[from].message();
-        for (std::size_t to = 0; to < aircraft; ++to)
-          if (to != from) (void)bidders[to].receive(message);
-      }
-    }
-    state.PauseTiming();
-    double sum = 0;
-    for (std::size_t a = 0; a < aircraft; ++a) sum += value(a, bidders[a].path());
-    lost += 100 * (1 - sum / best_sequences(problem, {}).value().quality.value);
-    ++count;
-    state.ResumeTiming();
-  }
-  state.counters["lost_%"] = lost / count;
-}
-BENCHMARK_CAPTURE(auction, 10x5, 5, 10)->Unit(benchmark::kMillisecond)->Iterations(50);
-BENCHMARK_CAPTURE(auction, 30x5, 5, 30)->Unit(benchmark::kMillisecond)->Iterations(5);
 
 void tours(benchmark::State& state, std::size_t places, std::size_t count) {
   SearchRandom random(places, 2);

@@ -133,6 +133,18 @@ struct PlanRendezvousArguments {
   PlanOutput output;
 };
 
+struct PlanFleetArguments {
+  PlanSetting setting;
+  PlanLimits limits;
+  PlanMaps maps;
+  std::string cases;                   ///< CSV: a row for each aircraft
+  std::optional<double> latest_start;  ///< [s]; none: the earliest of each
+  double radius = 30, height = 20;     ///< of each room [m]
+  double ahead = 5, behind = 10;       ///< [s]
+  std::int64_t expansions = 3000;      ///< of each search, at most
+  PlanOutput output;
+};
+
 int plan_connect_command(const PlanConnectArguments& arguments);
 int plan_batch_command(const PlanConnectArguments& arguments,
                        const std::atomic<bool>& stop);
@@ -142,5 +154,7 @@ int plan_coverage_command(const PlanCoverageArguments& arguments,
 int plan_patrol_command(const PlanPatrolArguments& arguments);
 int plan_orbit_command(const PlanOrbitArguments& arguments);
 int plan_rendezvous_command(const PlanRendezvousArguments& arguments);
+int plan_fleet_command(const PlanFleetArguments& arguments,
+                       const std::atomic<bool>& stop);
 
 }  // namespace skein::app

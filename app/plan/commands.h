@@ -18,5 +18,6 @@ CLI::App* add_coverage(CLI::App& plan, PlanCoverageArguments& given);
 CLI::App* add_patrol(CLI::App& plan, PlanPatrolArguments& given);
 CLI::App* add_orbit(CLI::App& plan, PlanOrbitArguments& given);
 CLI::App* add_rendezvous(CLI::App& plan, PlanRendezvousArguments& given);
+CLI::App* add_fleet(CLI::App& plan, PlanFleetArguments& given);
 
 }  // namespace skein::app

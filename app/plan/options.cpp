@@ -15,12 +15,14 @@ struct PlanOptions::Parts {
   PlanPatrolArguments patrol;
   PlanOrbitArguments orbit;
   PlanRendezvousArguments rendezvous;
+  PlanFleetArguments fleet;
   CLI::App* plan = nullptr;
   CLI::App* path_command = nullptr;
   CLI::App* coverage_command = nullptr;
   CLI::App* patrol_command = nullptr;
   CLI::App* orbit_command = nullptr;
   CLI::App* rendezvous_command = nullptr;
+  CLI::App* fleet_command = nullptr;
 };
 
 PlanOptions::PlanOptions(CLI::App& program) : parts_(std::make_unique<Parts>()) {
@@ -33,6 +35,7 @@ PlanOptions::PlanOptions(CLI::App& program) : parts_(std::make_unique<Parts>()) 
   p.patrol_command = add_patrol(*p.plan, p.patrol);
   p.orbit_command = add_orbit(*p.plan, p.orbit);
   p.rendezvous_command = add_rendezvous(*p.plan, p.rendezvous);
+  p.fleet_command = add_fleet(*p.plan, p.fleet);
   p.plan->footer("\nExamples:\n  skein plan connect --help\n  skein plan path --help");
 }
 
@@ -49,6 +52,7 @@ int PlanOptions::run(const std::atomic<bool>& stop) const {
   if (*p.patrol_command) return plan_patrol_command(p.patrol);
   if (*p.orbit_command) return plan_orbit_command(p.orbit);
   if (*p.rendezvous_command) return plan_rendezvous_command(p.rendezvous);
+  if (*p.fleet_command) return plan_fleet_command(p.fleet, stop);
   if (!parts_->connect.batch.empty()) return plan_batch_command(parts_->connect, stop);
   return plan_connect_command(parts_->connect);
 }

@@ -133,29 +133,39 @@ Result<void> check_formats(const PlanOutput& output, const exchange::Known& know
   return {};
 }
 
-int put_plan(const exchange::Document& document, const Json& about,
-             const PlanOutput& output) {
+Result<void> write_plan_files(const exchange::Document& document,
+                              const PlanOutput& output) {
   const exchange::WritingOptions options{output.tolerance, output.step};
   for (const std::filesystem::path& file : output.files) {
     const auto format = exchange::format_of(file);
-    if (!format) return say_error(format.error());
+    if (!format) return format.error();
     auto text = exchange::to_text(document, format.value(), options);
     if (!text) {
       Error error = text.error();
       error.place = file.string();
-      return say_error(error);
+      return error;
     }
-    if (auto good = write_file(file, text.value()); !good) return say_error(good.error());
+    if (auto good = write_file(file, text.value()); !good) return good.error();
   }
-  if (!output.json) {
-    print_document(document);
-    return kDone;
-  }
+  return {};
+}
+
+void print_plan_json(const exchange::Document& document, const Json& about) {
   Json all = about;
   all["plans"] = Json::array();
   for (const exchange::NamedPlan& plan : document.plans)
     all["plans"].push_back(plan_json(plan));
   put_out(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+int put_plan(const exchange::Document& document, const Json& about,
+             const PlanOutput& output) {
+  if (auto good = write_plan_files(document, output); !good)
+    return say_error(good.error());
+  if (output.json)
+    print_plan_json(document, about);
+  else
+    print_document(document);
   return kDone;
 }
 

@@ -22,6 +22,15 @@ Result<void> check_files(const PlanOutput& output,
 /// Fails: kBadInput.
 Result<void> check_formats(const PlanOutput& output, const exchange::Known& known);
 
+/// Writes the files of a plan.
+/// Fails: as the writers of their formats; as write_file().
+Result<void> write_plan_files(const exchange::Document& document,
+                              const PlanOutput& output);
+
+/// Prints the plan as JSON, whose first members are those of `about`.
+void print_plan_json(const exchange::Document& document,
+                     const nlohmann::ordered_json& about);
+
 /// Writes the files and prints the plan: a table for people, or JSON, whose first members
 /// are those of `about`.
 /// @returns the exit status.

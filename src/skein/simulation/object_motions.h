@@ -32,9 +32,6 @@ class ObjectMotions {
   /// Records those that do not go on as was recorded of them last.
   void record(Time now, Recorder& recorder);
 
-  /// Whether one of them exists in reality.
-  bool any_physical() const { return any_physical_; }
-
   /// What an entity's sensors may find, as of the last advance(). Whoever has a body in
   /// reality finds physical objects where they are, others where they are remembered.
   std::span<const VisibleObject> visible_to(const EntityReality& entity) const;

@@ -82,7 +82,6 @@ class Session {
   std::uint64_t id() const { return options_.id; }
   /// The session of the other side; 0: none yet.
   std::uint64_t peer() const { return peer_; }
-  const Hello& peer_hello() const { return peer_hello_; }
   /// Whether a packet of this session of the other side would be taken.
   bool admits(std::uint64_t session, Time now) const;
 

@@ -26,9 +26,9 @@ struct Try {
   double heuristic_weight;
 };
 constexpr std::array<Try, 4> kAttempts = {{{1, 1}, {1, 1.1}, {1, 1.5}, {3, 1}}};
-constexpr std::int64_t kOfDetours = 6;  // each may use this part of the expansions left
+constexpr std::int64_t kDetourShare = 6;  // each may use this part of the expansions left
 // By which part of the best path's time other routes may seem longer at first.
-constexpr double kOtherDetours = 0.05;
+constexpr double kDetourSlack = 0.05;
 
 // Finer and with a smaller heuristic weight from pass to pass; each may use a part of
 // what is left.
@@ -159,10 +159,10 @@ void Planning::take_detours() {
     if (t.heuristic_weight > 1 && !best_.plan.empty() && followed_) continue;
     request.detours = t.detours;
     request.heuristic_weight = t.heuristic_weight;
-    request.max_time = best_.duration * (1 + kOtherDetours);
+    request.max_time = best_.duration * (1 + kDetourSlack);
     const Detours found =
         detours_around(zones, query_, speed, request, {kDetourMargin, kDetourMargin},
-                       budget_.part(kOfDetours));
+                       budget_.part(kDetourShare));
     budget_.spend(found.expansions);
     const bool quickest = t.heuristic_weight == 1 && exact;
     for (std::size_t i = followed_ && t.detours > 1 ? 1 : 0;
@@ -236,18 +236,18 @@ void Planning::take_waits() {
 }
 
 void Planning::search() {
-  for (const Pass& r : kPasses) {
+  for (const Pass& each : kPasses) {
     if (done()) return;
-    SearchRound obstacle;
-    obstacle.finest = r.finest;
-    obstacle.heuristic_weight = r.heuristic_weight;
-    obstacle.better = best_.duration;
-    obstacle.first = query_.budget.first || best_.plan.empty();
-    obstacle.expansions =
-        static_cast<std::int64_t>(r.share * static_cast<double>(budget_.left()));
-    SearchResult result = search_manoeuvres(map_, obstacle, budget_);
+    SearchPass pass;
+    pass.finest = each.finest;
+    pass.heuristic_weight = each.heuristic_weight;
+    pass.better = best_.duration;
+    pass.first = query_.budget.first || best_.plan.empty();
+    pass.expansions =
+        static_cast<std::int64_t>(each.share * static_cast<double>(budget_.left()));
+    SearchResult result = search_manoeuvres(map_, pass, budget_);
     take(std::move(result.trajectory));
-    exhausted_ = result.exhausted && &r == &kPasses.back();
+    exhausted_ = result.exhausted && &each == &kPasses.back();
   }
 }
 

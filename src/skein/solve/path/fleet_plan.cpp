@@ -18,6 +18,10 @@ constexpr double kStep = 3, kSearchStep = 30;
 // How often the order is changed for those who find no flight.
 constexpr int kRounds = 5;
 
+bool is_stopped(const FleetQuery& query) {
+  return query.common.budget.stop && query.common.budget.stop();
+}
+
 class Fleet {
  public:
   explicit Fleet(const FleetQuery& query) : query_(query), map_(query.common) {
@@ -56,6 +60,7 @@ void Fleet::go_straight(const FleetMember& member, PlannedPath& best) {
   PathQuery q = query_of(member, member.earliest_start);
   const Link l = link(q.start, q.goal, q);
   for (double t = member.earliest_start; t <= member.latest_start; t += kStep) {
+    if (is_stopped(query_)) return;
     FlightPlan plan = to_flight_plan(l, q.start, t, q);
     ++best.expansions;
     if (plan.empty() || !map_.is_free(plan)) continue;
@@ -69,6 +74,7 @@ void Fleet::go_straight(const FleetMember& member, PlannedPath& best) {
 void Fleet::search(const FleetMember& member, PlannedPath& best) {
   PlannedPath last;
   for (double t = member.earliest_start; t <= member.latest_start; t += kSearchStep) {
+    if (is_stopped(query_)) break;
     const PathQuery q = query_of(member, t);
     const Link l = link(q.start, q.goal, q);
     if (!best.plan.empty() && t + min_time(l, q.start, q.goal, q) >= arrival(best))
@@ -142,7 +148,7 @@ FleetPlan plan_fleet(const FleetQuery& query) {
     order = promoted(order, plan);
     const bool all = plan.planned == query.members.size();
     if (i == 0 || plan.planned > best.planned) best = std::move(plan);
-    if (all) break;
+    if (all || is_stopped(query)) break;
   }
   return best;
 }

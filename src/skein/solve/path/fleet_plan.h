@@ -44,6 +44,8 @@ struct FleetPlan {
 /// those that plan later a room reaches in both directions of time as far as the longer
 /// of `ahead` and `behind`.
 ///
+/// Where the budget's `stop` ends it, those that were not planned by then have no flight.
+///
 /// Cost: of N aircraft N searches, each of which looks at the flights near its own only.
 FleetPlan plan_fleet(const FleetQuery& query);
 

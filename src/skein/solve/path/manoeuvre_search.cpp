@@ -54,7 +54,7 @@ struct CellHash {
 
 class Search {
  public:
-  Search(const AirspaceMap& map, const SearchRound& obstacle, SearchBudget& budget);
+  Search(const AirspaceMap& map, const SearchPass& pass, SearchBudget& budget);
   SearchResult run();
 
  private:
@@ -69,7 +69,7 @@ class Search {
 
   const AirspaceMap& map_;
   const PathQuery& query_;
-  const SearchRound& round_;
+  const SearchPass& pass_;
   SearchBudget& budget_;
   bool vertical_;
   Reach reach_;
@@ -91,28 +91,27 @@ bool needs_altitude(const PathQuery& q) {
                      });
 }
 
-Search::Search(const AirspaceMap& map, const SearchRound& obstacle, SearchBudget& budget)
+Search::Search(const AirspaceMap& map, const SearchPass& pass, SearchBudget& budget)
     : map_(map),
       query_(map.query()),
-      round_(obstacle),
+      pass_(pass),
       budget_(budget),
       vertical_(needs_altitude(map.query())),
       reach_{query_.limits.airspeed + query_.wind.norm(),
              std::max(query_.limits.climb_rate, query_.limits.sink_rate)},
-      best_(query_.start_time + obstacle.better) {}
+      best_(query_.start_time + pass.better) {}
 
 double Search::step_at(const FlightState& s, double time) const {
   const double rho = query_.limits.turn_radius;
   const double room = map_.room(s.p_N, time, reach_, kLargest * rho / kOfRoom);
-  return std::clamp(kOfRoom * room, round_.finest * rho, kLargest * rho);
+  return std::clamp(kOfRoom * room, pass_.finest * rho, kLargest * rho);
 }
 
 Cell Search::cell_of(const FlightState& s, double time, double step) const {
   // Cells double in size, so that near steps share them.
   const double rho = query_.limits.turn_radius;
-  const int level =
-      static_cast<int>(std::floor(math::log2(step / (round_.finest * rho))));
-  const double size = kSame * round_.finest * rho * std::ldexp(1.0, level);
+  const int level = static_cast<int>(std::floor(math::log2(step / (pass_.finest * rho))));
+  const double size = kSame * pass_.finest * rho * std::ldexp(1.0, level);
   const int headings =
       std::max(8, static_cast<int>(std::floor(2 * geo::kPi * rho / size)));
   const auto cell = [](double x, double width) {
@@ -192,7 +191,7 @@ void Search::consider(const FlightPlan& manoeuvre, std::int32_t parent, double w
     finish(index, to_goal);
     if (is_exact(to_goal)) return;
   }
-  open_.push({next.time + round_.heuristic_weight * min, index});
+  open_.push({next.time + pass_.heuristic_weight * min, index});
 }
 
 // The manoeuvre as high as it can climb with at most a rate, beginning and ending level
@@ -240,9 +239,9 @@ SearchResult Search::run() {
   states_.front().step = step_at(query_.start, query_.start_time);
   const Link direct = link(query_.start, query_.goal, query_);
   open_.push({query_.start_time + direct.duration, 0});
-  const std::int64_t until = budget_.expansions() + round_.expansions;
+  const std::int64_t until = budget_.expansions() + pass_.expansions;
   while (!open_.empty() && !budget_.ended() && budget_.expansions() < until) {
-    if (round_.first && result_.trajectory) return std::move(result_);
+    if (pass_.first && result_.trajectory) return std::move(result_);
     const Open next = open_.top();
     open_.pop();
     const State& s = states_[static_cast<std::size_t>(next.state)];
@@ -258,9 +257,9 @@ SearchResult Search::run() {
 
 }  // namespace
 
-SearchResult search_manoeuvres(const AirspaceMap& map, const SearchRound& obstacle,
+SearchResult search_manoeuvres(const AirspaceMap& map, const SearchPass& pass,
                                SearchBudget& budget) {
-  return Search(map, obstacle, budget).run();
+  return Search(map, pass, budget).run();
 }
 
 }  // namespace skein::solve

@@ -8,12 +8,12 @@
 namespace skein::solve {
 
 /// One pass of accelerated A*.
-struct SearchRound {
-  double finest = 0.5;          ///< minimum step, in turn radii
-  double heuristic_weight = 1;  ///< heuristic weight: above 1 sooner, not the best
-  double better = 1e300;        ///< only paths that take less are sought [s]
-  bool first = true;            ///< end with the first path
-  std::int64_t expansions = 1'000'000;  ///< expansions of this pass at most
+struct SearchPass {
+  double finest = 0.5;                  ///< minimum step, in turn radii
+  double heuristic_weight = 1;          ///< above 1: sooner, not the best
+  double better = 1e300;                ///< only paths that take less are sought [s]
+  bool first = true;                    ///< end with the first path
+  std::int64_t expansions = 1'000'000;  ///< at most
 };
 
 /// How it ended.
@@ -35,7 +35,7 @@ struct SearchResult {
 ///   earlier one is kept.
 ///
 /// Reference: [Selecky18] ch. 8.
-SearchResult search_manoeuvres(const AirspaceMap& map, const SearchRound& obstacle,
+SearchResult search_manoeuvres(const AirspaceMap& map, const SearchPass& pass,
                                SearchBudget& budget);
 
 }  // namespace skein::solve

@@ -63,11 +63,6 @@ double TourState::longest() const {
   return *std::max_element(length_.begin(), length_.end());
 }
 
-std::uint32_t TourState::longest_tour() const {
-  return static_cast<std::uint32_t>(std::max_element(length_.begin(), length_.end()) -
-                                    length_.begin());
-}
-
 void TourState::insert(std::uint32_t place, std::uint32_t behind) {
   const std::uint32_t tour = tour_[behind], after = next_[behind];
   length_[tour] += added(place, behind);

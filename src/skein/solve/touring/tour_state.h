@@ -50,7 +50,6 @@ class TourState {
   double length(std::uint32_t tour) const { return length_[tour]; }
   std::uint32_t count(std::uint32_t tour) const { return count_[tour]; }
   double longest() const;
-  std::uint32_t longest_tour() const;
 
   /// What inserting a place behind a node adds to its tour.
   double added(std::uint32_t place, std::uint32_t behind) const {

@@ -103,14 +103,4 @@ double Engine::throttle_for(double spin, double forward, double density) const {
   return (current * resistance_ + K_ * spin) / energy.voltage;
 }
 
-double Engine::full_spin(double forward, double density) const {
-  if (kind_ == Kind::kPiston) return 1;
-  double low = 0, high = target(1, full().voltage, forward, density);
-  for (int i = 0; i < 50; ++i) {
-    const double middle = (low + high) / 2;
-    (throttle_for(middle, forward, density) <= 1 ? low : high) = middle;
-  }
-  return low;
-}
-
 }  // namespace skein::asset

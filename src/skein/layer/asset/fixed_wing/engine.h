@@ -54,9 +54,6 @@ class Engine {
   /// The throttle that keeps a spin; above 1 when it cannot be kept.
   double throttle_for(double spin, double forward, double density) const;
 
-  /// Spin at full throttle.
-  double full_spin(double forward, double density) const;
-
  private:
   enum class Kind { kNone, kElectric, kPiston };
 

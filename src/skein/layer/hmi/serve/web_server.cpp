@@ -324,10 +324,6 @@ std::size_t WebServer::waiting(ClientNumber client) const {
   return found ? found->waiting() : 0;
 }
 
-void WebServer::disconnect(ClientNumber client) {
-  if (web::Client* found = impl_->find(client)) found->close();
-}
-
 WebStatistics WebServer::statistics() const {
   WebStatistics now = impl_->met;
   now.connections = impl_->table.size();

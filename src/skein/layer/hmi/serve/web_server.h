@@ -140,7 +140,6 @@ class WebServer {
   void send(ClientNumber client, SharedBytes bytes, bool is_text = false);
   /// Bytes that have been given to send() for a client and are not sent yet.
   std::size_t waiting(ClientNumber client) const;
-  void disconnect(ClientNumber client);
   WebStatistics statistics() const;
 
  private:

@@ -91,5 +91,15 @@ TEST(FleetPlan, SaysWhyOneCannotFly) {
   EXPECT_FALSE(plan.paths[1].reason.empty());
 }
 
+TEST(FleetPlan, EndsWhenItIsStopped) {
+  FleetQuery fleet = random_fleet(30, 2500, 80'000);
+  int asked = 0;
+  fleet.common.budget.stop = [&asked] { return ++asked > 5; };
+  const FleetPlan plan = plan_fleet(fleet);
+  EXPECT_EQ(plan.paths.size(), 30u);
+  EXPECT_LE(plan.planned, 5u);
+  EXPECT_LT(asked, 200) << "nothing more is searched";
+}
+
 }  // namespace
 }  // namespace skein::solve::fleet_plan_test

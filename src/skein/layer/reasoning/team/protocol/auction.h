@@ -23,8 +23,7 @@ namespace skein::reasoning {
 /// What each member bids is known by its own count of changes, so that old news does not
 /// replace newer; bids of members that are lost are dropped.
 ///
-/// Reference: H.-L. Choi, L. Brunet, J. P. How, Consensus-based decentralized auctions
-///            for robust task allocation, IEEE T-RO 25 (2009), section IV.
+/// Reference: [Choi09] section IV.
 class Auction {
  public:
   /// Builds the own bundle anew where others have bid more or tasks have changed.
