@@ -15,8 +15,8 @@ struct AvoidanceArguments {
   std::string plant = "path";
   double loss = 0, delay = 0;      ///< of messages; [s]
   double range = 0;                ///< of radio and traffic sensors [m]; 0: their own
-  std::string tracks = "perfect";  ///< of strangers
-  std::string room = "moving";     ///< of strangers, that is kept free
+  std::string tracks = "perfect";  ///< of intruders
+  std::string room = "moving";     ///< of intruders, that is kept free
   std::string deal = "sum";        ///< that two agree on
   std::string turbulence = "none";
   std::string separation = "team";  ///< by name

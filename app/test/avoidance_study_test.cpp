@@ -59,7 +59,7 @@ TEST_F(AvoidanceStudy, EveryMethodPartsAPair) {
   }
 }
 
-TEST_F(AvoidanceStudy, StrangersAreKeptWellClearOf) {
+TEST_F(AvoidanceStudy, IntrudersAreKeptWellClearOf) {
   write("e.csv", kEncounter);
   const std::string none = study("e.csv", {"--method", "none"});
   EXPECT_EQ(cell(none, "nmac"), 1);
@@ -82,7 +82,7 @@ TEST_F(AvoidanceStudy, EveryDealPartsAPair) {
 }
 
 // Both rooms keep well clear; the standing one is flown around by another way.
-TEST_F(AvoidanceStudy, StrangersAreKeptWellClearOfByEitherRoom) {
+TEST_F(AvoidanceStudy, IntrudersAreKeptWellClearOfByEitherRoom) {
   write("e.csv", kEncounter);
   const std::string moving = study("e.csv", {"--intruder-room", "moving"});
   const std::string standing = study("e.csv", {"--intruder-room", "static"});

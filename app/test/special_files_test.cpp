@@ -133,7 +133,7 @@ bool is_known(const std::string& option) {
                                             "--set",
                                             "--side",
                                             "--speed",
-                                            "--stranger-room",
+                                            "--intruder-room",
                                             "--strategies",
                                             "--target",
                                             "--target-geo",

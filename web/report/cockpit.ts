@@ -63,7 +63,7 @@ export class Cockpit {
       .map((row) => ({ name: this.world.name(fleet.ids[row]), pose: this.flight(row, time).pose }));
   }
 
-  /** Strangers, as this aircraft believes them. */
+  /** Intruders, as this aircraft believes them. */
   traffic(time: number): Believed[] {
     return [...this.world.trafficTracks.values()]
       .filter(({ believer_id, time_s }) => believer_id === this.aircraft && time - time_s < kBelievedFor + this.world.gap)

@@ -95,7 +95,7 @@ TEST_F(Hostile, AMasterIsNotMovedByWhoDoesNotLead) {
   }
 }
 
-TEST_F(Hostile, StrangersAreRefusedWhereTheTeamIsKnown) {
+TEST_F(Hostile, IntrudersAreRefusedWhereTheTeamIsKnown) {
   SmallTeam team;
   reasoning::TeamConfig config;
   config.known = {{2}, {4}};

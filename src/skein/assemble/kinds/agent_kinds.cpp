@@ -85,11 +85,11 @@ Fields<AvoidanceChoice> avoidance_fields() {
               "the largest product of utilities, 1 - cost / 120 s"},
              {"zeuthen", reasoning::DealRule::kZeuthen,
               "by concessions over these utilities: of different owners"}})
-      .word("intruder_room", &T::stranger_room,
+      .word("intruder_room", &T::intruder_room,
             "What is kept free of the own flight where it meets an intruder.",
-            {{"moving", reasoning::StrangerRoom::kMoving,
+            {{"moving", reasoning::IntruderRoom::kMoving,
               "a cylinder around the intruder, wherever it is"},
-             {"static", reasoning::StrangerRoom::kStatic,
+             {"static", reasoning::IntruderRoom::kStatic,
               "an ellipse along its course around where the two would meet"}})
       .formerly("stranger_room")
       .number("horizontal_m", [](T & t) -> auto& { return t.separation.horizontal; },
@@ -112,7 +112,7 @@ Fields<AvoidanceChoice> avoidance_fields() {
       .duration_s("horizon_s", &T::horizon, "How far ahead conflicts are looked for.",
                   {.at_least = 20, .at_most = 600})
       .word("well_clear", &T::well_clear_name,
-            "By which numbers alerts about tracked strangers are given and bands made, "
+            "By which numbers alerts about tracked intruders are given and bands made, "
             "whatever the method (docs/well-clear.md).",
             {{"skein_suas", WellClearName::kSkeinSuas, "small aircraft of 12 to 35 m/s"},
              {"DO_365B_no_SUM", WellClearName::kDo365B,

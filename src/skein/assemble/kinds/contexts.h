@@ -34,7 +34,7 @@ class ModemLink;
 
 namespace skein::reasoning {
 struct OnboardTeamOptions;
-class TeamDesk;
+class TeamServer;
 }  // namespace skein::reasoning
 
 namespace skein::assemble {
@@ -98,7 +98,7 @@ struct AircraftContext {
   NavEstimate initial;                         ///< where and how it flies at the start
   bool on_ground = false;                      ///< at the start
   AircraftGains gains;                         ///< of the plant's file
-  bool hears_station = false;                  ///< the station sends heartbeats
+  bool receives_station = false;               ///< the station sends heartbeats
   bool has_position = false;                   ///< a sensor says where it is
   bool has_camera = false;                     ///< a sensor finds objects
   bool has_fire_sensor = false;                ///< a sensor looks at the fire
@@ -129,7 +129,7 @@ struct StationTeam {
   std::string name;
   std::vector<TeamAircraft> team;
   /// Its own, for all its missions; none: its team does not lead itself.
-  std::function<std::shared_ptr<reasoning::TeamDesk>()> desk;
+  std::function<std::shared_ptr<reasoning::TeamServer>()> desk;
 };
 
 /// What every mission is given besides its options.

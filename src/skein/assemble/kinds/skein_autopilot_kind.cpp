@@ -145,7 +145,7 @@ Result<std::shared_ptr<const autopilot::SkeinSetup>> make_setup(
     return Error{ErrorCode::kBadInput, "autopilot.lap_gains",
                  "are for fixed wings with six degrees of freedom.",
                  "Choose plant: fixed-wing, or leave them out."};
-  options.watches_link = c.hears_station;
+  options.watches_link = c.receives_station;
   options.watches_gnss = c.has_position;
   options.watches_sensors = c.fitted;
   options.fence = geofence_of(choice.fence, c.limits);

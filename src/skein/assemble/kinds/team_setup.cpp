@@ -107,12 +107,12 @@ std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
   return options;
 }
 
-std::function<std::shared_ptr<reasoning::TeamDesk>()> team_desk(
+std::function<std::shared_ptr<reasoning::TeamServer>()> team_server(
     const scenario::Scenario& scenario, std::size_t station, const Vec3& place,
     std::vector<Zone> zones, const RadioParts& parts) {
   const TeamSetup& setup = scenario.stations[station].team;
   if (!leads_itself(setup)) return {};
-  auto desk = std::make_shared<reasoning::TeamDesk>(reasoning::TeamDeskOptions{
+  auto desk = std::make_shared<reasoning::TeamServer>(reasoning::TeamServerOptions{
       EntityId{static_cast<std::uint32_t>(station)},
       team_config(scenario, station, parts), sharing_of(setup), place, std::move(zones)});
   return [desk] { return desk; };

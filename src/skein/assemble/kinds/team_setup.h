@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "skein/layer/reasoning/team/onboard/onboard_team.h"
-#include "skein/layer/reasoning/team/onboard/team_desk.h"
+#include "skein/layer/reasoning/team/onboard/team_server.h"
 #include "skein/scenario/scenario.h"
 
 namespace skein::assemble {
@@ -27,7 +27,7 @@ std::shared_ptr<const reasoning::OnboardTeamOptions> onboard_team(
 /// itself.
 /// @param place  of the station, N [m].
 /// @param zones  in force from the start.
-std::function<std::shared_ptr<reasoning::TeamDesk>()> team_desk(
+std::function<std::shared_ptr<reasoning::TeamServer>()> team_server(
     const scenario::Scenario& scenario, std::size_t station, const Vec3& place,
     std::vector<Zone> zones, const RadioParts& parts);
 

@@ -45,7 +45,7 @@ Vec3 truth(const FlightLog& log, std::uint32_t traffic, Time time) {
   return place;
 }
 
-// Firm tracks against the only stranger.
+// Firm tracks against the only intruder.
 struct Followed {
   Spread error, sigmas;
   std::optional<double> firm_from;
@@ -70,7 +70,7 @@ constexpr const char* kOncoming =
     "[ads-b, flarm, transponder], flight: {kind: straight, speed_mps: 30, course_deg: "
     "180, turns: [{from_s: 40, for_s: 10, turn_rate_deg_per_s: 4}]}}\n";
 
-TEST(TrafficFlight, EachSensorFollowsTheStrangerAndNobodyElse) {
+TEST(TrafficFlight, EachSensorFollowsTheIntruderAndNobodyElse) {
   struct Case {
     std::string sensor;
     double rms, within;  // [m], and standard deviations
@@ -86,7 +86,7 @@ TEST(TrafficFlight, EachSensorFollowsTheStrangerAndNobodyElse) {
     EXPECT_GT(it.error.count, 20);
     EXPECT_LT(it.error.rms(), each.rms);
     EXPECT_LT(it.sigmas.rms(), 2);
-    EXPECT_EQ(log.figure("traffic_tracks_astray_s"), 0) << "the mate is no stranger";
+    EXPECT_EQ(log.figure("traffic_tracks_astray_s"), 0) << "the mate is no intruder";
     EXPECT_NEAR(log.figure("traffic_error_rms_m"), it.error.rms(), 1);
     EXPECT_EQ(log.figure("traffic"), 1);
   }
@@ -109,7 +109,7 @@ TEST(TrafficFlight, IsFirmAfterThreeAndKeptForTenSeconds) {
   EXPECT_NEAR(*last, 69, 1) << "last heard at 59 s";
 }
 
-// A stranger comes head-on; the first aircraft goes by a configuration of its own.
+// An intruder comes head-on; the first aircraft goes by a configuration of its own.
 FlightLog head_on(const std::string& avoidance) {
   std::string text =
       two("{kind: ads-b-in, reception: 1}",

@@ -134,7 +134,7 @@ AircraftContext AircraftBuilder::context_of(const AircraftGroup& group, int inde
   context.place_period = place_period_;
   context.gains = gains_of(group.plant);
   context.shared = &shared_[&group];
-  context.hears_station =
+  context.receives_station =
       heartbeat(scenario_, scenario_.stations[station_of(scenario_, group)]) > Time();
   return context;
 }

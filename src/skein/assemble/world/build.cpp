@@ -89,8 +89,8 @@ void make_teams(WorldDraft& draft) {
     draft.teams.push_back({EntityId{k},
                            station.name,
                            {},
-                           team_desk(draft.scenario, k, antenna_of(draft, station),
-                                     draft.zones, draft.kinds.kinds())});
+                           team_server(draft.scenario, k, antenna_of(draft, station),
+                                       draft.zones, draft.kinds.kinds())});
   }
 }
 

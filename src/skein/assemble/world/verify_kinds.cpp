@@ -13,7 +13,7 @@
 #include "skein/layer/environment/wind/uniform_wind.h"
 #include "skein/layer/reasoning/agent/onboard_agent.h"
 #include "skein/layer/reasoning/station/mission_control.h"
-#include "skein/layer/reasoning/team/onboard/team_desk.h"
+#include "skein/layer/reasoning/team/onboard/team_server.h"
 #include "skein/role/agent.h"
 #include "skein/role/antenna.h"
 #include "skein/role/autopilot.h"
@@ -112,7 +112,7 @@ class Stage {
     MissionContext context{kSeed, kinds_.kinds(), {}, zones_, {}, {}, {}, {}};
     // A desk of its own for each mission that is compared.
     const auto desk = [] {
-      return std::make_shared<reasoning::TeamDesk>(reasoning::TeamDeskOptions{});
+      return std::make_shared<reasoning::TeamServer>(reasoning::TeamServerOptions{});
     };
     context.stations = {{EntityId{0}, "station", {}, desk}};
     for (std::uint32_t k = 1; k <= 2; ++k)

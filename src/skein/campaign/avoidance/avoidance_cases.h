@@ -17,7 +17,7 @@ struct AvoidanceAircraft {
   double airspeed = 20;                            ///< [m/s]
 };
 
-/// A stranger of a case: it flies straight on, with at most one turn, and gives no way.
+/// An intruder of a case: it flies straight on, with at most one turn, and gives no way.
 struct AvoidanceIntruder {
   Vec3 p_N = Vec3::Zero();  ///< at the start [m]
   Vec3 v_N = Vec3::Zero();  ///< over ground, at the start [m/s]
@@ -42,7 +42,7 @@ struct AvoidanceCase {
 /// - Of a team: `case, aircraft` (from 1), `start_north_m, start_east_m, start_down_m,
 ///   goal_north_m, goal_east_m, goal_down_m, airspeed_mps`, and where there is wind
 ///   `wind_north_mps, wind_east_mps` (velocity of the air). A row for each aircraft.
-/// - With a stranger: `case, own_north_m, own_east_m, own_down_m, goal_north_m,
+/// - With an intruder: `case, own_north_m, own_east_m, own_down_m, goal_north_m,
 ///   goal_east_m, own_speed_mps, int_north_m, int_east_m, int_down_m, int_vn_mps,
 ///   int_ve_mps, int_vd_mps, turn_from_s, turn_for_s, turn_rate_radps, climb_vd_mps` (no
 ///   turn where `turn_from_s` is empty). A row for each case; the own flight is level.

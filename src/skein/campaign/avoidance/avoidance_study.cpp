@@ -36,7 +36,7 @@ double heading_of(const AvoidanceAircraft& aircraft, const Vec2& wind) {
          math::asin(std::clamp(across / aircraft.airspeed, -1.0, 1.0));
 }
 
-// The sensor for strangers; none where there is nobody to find.
+// The sensor for intruders; none where there is nobody to find.
 std::string sensor_of(const AvoidanceStudy& study) {
   const std::string range =
       study.range > 0 ? fmt::format(", range_m: {:.17g}", study.range) : "";
@@ -75,7 +75,7 @@ std::string traffic_of(const AvoidanceIntruder& intruder, std::size_t number) {
         "climb_mps: {:.17g}}}]",
         turn->from, turn->duration, degrees(turn->rate), turn->climb);
   return fmt::format(
-      "  - name: stranger-{}\n    position_m: [{:.17g}, {:.17g}]\n    altitude_msl_m: "
+      "  - name: intruder-{}\n    position_m: [{:.17g}, {:.17g}]\n    altitude_msl_m: "
       "{:.17g}\n    flight: {{kind: straight, speed_mps: {:.17g}, course_deg: {:.17g}, "
       "climb_mps: {:.17g}{}}}\n",
       number, intruder.p_N.x(), intruder.p_N.y(), -intruder.p_N.z(), along.norm(),

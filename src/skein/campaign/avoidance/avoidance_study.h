@@ -23,9 +23,9 @@ struct AvoidanceStudy {
   std::string plant = "path";  ///< "path", or "fixed-wing"
   double loss = 0, delay = 0;  ///< of messages; [s]
   double range = 0;            ///< of radio and sensors for traffic [m]; 0: their own
-  /// What finds strangers: "perfect", "adsb", "passive", "radar".
+  /// What finds intruders: "perfect", "adsb", "passive", "radar".
   std::string tracks = "perfect";
-  std::string room = "moving";  ///< of strangers, kept free: "moving" or "static"
+  std::string room = "moving";  ///< of intruders, kept free: "moving" or "static"
   std::string deal = "sum";     ///< "sum", "product" or "zeuthen"
   std::optional<Vec2> wind;     ///< instead of that of the cases [m/s]
   std::string turbulence = "none";
@@ -43,7 +43,7 @@ Result<StudyPlan> plan_avoidance_study(const AvoidanceStudy& study,
 /// The time that a flight from start to goal takes with nobody in the way [s].
 double undisturbed_time(const AvoidanceAircraft& aircraft, const Vec2& wind);
 
-/// What is kept in a case: with a stranger, what is kept to strangers.
+/// What is kept in a case: with an intruder, what is kept to intruders.
 Separation separation_of(const AvoidanceStudy& study, const AvoidanceCase& flown);
 
 /// The figures of the runs as CSV: case, method, min_ratio, min_horizontal_m, violations,

@@ -7,7 +7,7 @@
 namespace skein::campaign {
 namespace {
 
-constexpr std::uint32_t kFirstStranger = 1U << 30;
+constexpr std::uint32_t kFirstIntruder = 1U << 30;
 constexpr double kCostOfClimb = 0.05;  // as manoeuvres count it [s/m]
 constexpr double kReached = 150;       // who passes its goal so near has arrived [m]
 
@@ -39,13 +39,13 @@ void AvoidanceWatch::record(const Record& record) {
   }
 }
 
-// Strangers are to the meter as aircraft with numbers that no entity has.
+// Intruders are to the meter as aircraft with numbers that no entity has.
 void AvoidanceWatch::place_traffic(Time time) {
   if (time == traffic_placed_) return;
   traffic_placed_ = time;
   for (const auto& [id, path] : traffic_)
     if (const TrafficMotion* motion = path.at(time))
-      meter_.place(time, EntityId{kFirstStranger + id}, motion->at(time));
+      meter_.place(time, EntityId{kFirstIntruder + id}, motion->at(time));
 }
 
 void AvoidanceWatch::take(const TruthRecord& truth) {

@@ -41,7 +41,7 @@ TEST(AvoidanceCases, OfATeamHaveARowForEachAircraft) {
   EXPECT_TRUE(cases.value()[0].intruders.empty());
 }
 
-TEST(AvoidanceCases, OfEncountersHaveAStranger) {
+TEST(AvoidanceCases, OfEncountersHaveAnIntruder) {
   const auto cases =
       cases_of(std::string(kEncounterHeader) +
                "e,0,0,-150,4000,0,20,5000,100,-160,-40,1,0.5,33,5,-0.02,-1\n"
@@ -87,8 +87,8 @@ TEST(AvoidanceCases, ReadTheEncountersThatThereAre) {
   EXPECT_EQ(cases.value().size(), 334U);
 }
 
-// Two that pass, and a stranger that crosses: what the watch makes of it.
-TEST(AvoidanceWatch, CountsStrangersToo) {
+// Two that pass, and an intruder that crosses: what the watch makes of it.
+TEST(AvoidanceWatch, CountsIntrudersToo) {
   AvoidanceCase flown;
   flown.aircraft = {{Vec3(0, 0, -150), Vec3(4000, 0, -150), 20}};
   flown.intruders = {{Vec3(4000, 300, -150), Vec3(-20, 0, 0), {}}};

@@ -252,14 +252,14 @@ constexpr auto describe(const TeamAssignAck*) {
 }
 
 /// Two masters of one lineage that have met, and how often.
-struct TeamMeeting {
+struct TeamEncounter {
   EntityId lower, higher;
   std::uint32_t times = 0;
-  friend bool operator==(const TeamMeeting&, const TeamMeeting&) = default;
+  friend bool operator==(const TeamEncounter&, const TeamEncounter&) = default;
 };
 
-constexpr auto describe(const TeamMeeting*) {
-  using T = TeamMeeting;
+constexpr auto describe(const TeamEncounter*) {
+  using T = TeamEncounter;
   return described<T>({"team_meeting"}, "Two masters of one lineage that have met.",
                       field("lower_id", &T::lower, "one of them"),
                       field("higher_id", &T::higher, "the other"),
@@ -273,7 +273,7 @@ struct TeamState {
   std::uint32_t part = 0;
   std::uint32_t parts = 1;
   std::vector<EntityId> members;  ///< ascending, the master included
-  std::vector<TeamMeeting> met;
+  std::vector<TeamEncounter> met;
   std::vector<TeamTask> tasks;
 };
 
@@ -292,7 +292,7 @@ constexpr auto describe(const TeamState*) {
 /// the second time, that the mission is split between them.
 struct TeamMerge {
   TeamMission mission;            ///< of the sender
-  TeamMeeting meeting;            ///< this one included
+  TeamEncounter meeting;          ///< this one included
   bool split = false;             ///< both stay
   std::vector<EntityId> members;  ///< of the sender, itself included
 };
@@ -309,7 +309,7 @@ constexpr auto describe(const TeamMerge*) {
 /// How a mission was split: all its tasks with the branch of each.
 struct TeamSplit {
   TeamMission mission;  ///< of the receiver from now on
-  TeamMeeting meeting;
+  TeamEncounter meeting;
   std::uint32_t part = 0;
   std::uint32_t parts = 1;
   std::vector<TeamTask> tasks;

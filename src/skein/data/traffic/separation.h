@@ -49,7 +49,7 @@ struct NamedSeparation {
   Separation separation;
 };
 
-/// Small aircraft among themselves; light-sport aircraft; from a stranger that may carry
+/// Small aircraft among themselves; light-sport aircraft; from an intruder that may carry
 /// people; near mid-air collision.
 inline constexpr std::array<NamedSeparation, 4> kSeparations{
     {{"team", {50, 20}},

@@ -14,7 +14,7 @@
 namespace skein::record {
 
 /// Alerts about other traffic, and paths that pilots were shown: the part of a run's key
-/// figures that is there as soon as an aircraft tracks strangers, or has a pilot who is
+/// figures that is there as soon as an aircraft tracks intruders, or has a pilot who is
 /// shown something.
 class AlertStatistics {
  public:

@@ -39,7 +39,7 @@ TEST(AlertStatistics, CountsAlertsThatBeginAndHowLongTheyLast) {
   EXPECT_EQ(figures.at("traffic_alert_s"), 10 + 14) << "the third goes on";
 }
 
-TEST(AlertStatistics, SaysNothingOfARunWithoutStrangers) {
+TEST(AlertStatistics, SaysNothingOfARunWithoutIntruders) {
   AlertStatistics statistics;
   TrafficBelief loose;
   statistics.belief(loose);

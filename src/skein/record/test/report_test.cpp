@@ -99,9 +99,9 @@ void record_alerts(RunRecorder& recorder) {
   recorder.record(
       RecommendationRecord{Time::from_seconds(15),
                            EntityId{1},
-                           {1, kShown, "around a stranger", {{15, Vec3(1, 2, -300)}}}});
+                           {1, kShown, "around an intruder", {{15, Vec3(1, 2, -300)}}}});
   recorder.record(RecommendationRecord{
-      Time::from_seconds(22), EntityId{1}, {1, kFollowed, "around a stranger", {}}});
+      Time::from_seconds(22), EntityId{1}, {1, kFollowed, "around an intruder", {}}});
 }
 
 TEST(Report, ShowsAlertsBandsAndWhatPilotsWereShown) {

@@ -27,7 +27,7 @@ HeardLately ears_of(Shape shape) {
 class Walk {
  public:
   Walk(Routing& routing, Shape shape, Checks& checks)
-      : routing_(routing), hears_(ears_of(shape)), checks_(checks) {}
+      : routing_(routing), receives_(ears_of(shape)), checks_(checks) {}
 
   // What was asked for, in order: whom to send to, nobody as the number of nodes.
   std::vector<std::uint32_t> pass() {
@@ -48,13 +48,13 @@ class Walk {
   };
 
   std::optional<EntityId> ask(EntityId node, const RoutedMessage& message) {
-    const auto next = routing_.next(node, message, hears_, now_);
+    const auto next = routing_.next(node, message, receives_, now_);
     said_.push_back(next ? next->value : kNodes);
     const bool known = !next || *next == kEveryone || next->value < kNodes;
     checks_.expect(known, "it sends to nobody who takes part");
     checks_.expect(next != node, "it sends to itself");
     checks_.expect(!next || !known || *next == kEveryone || *next == message.to ||
-                       hears_(node, *next),
+                       receives_(node, *next),
                    "it sends by way of somebody whom the sender does not hear");
     return known ? next : std::nullopt;
   }
@@ -70,7 +70,7 @@ class Walk {
       if (!next) continue;
       for (std::uint32_t k = 0; k < kNodes; ++k) {
         const EntityId node{k};
-        if ((*next != kEveryone && *next != node) || !hears_(node, carrier.node))
+        if ((*next != kEveryone && *next != node) || !receives_(node, carrier.node))
           continue;
         routing_.learn(node, carrier.node, {message.origin, message.to, carrier.hops},
                        now_);
@@ -82,13 +82,13 @@ class Walk {
         if (message.to != node) carriers.push_back({node, carrier.hops + 1});
       }
     }
-    checks_.expect(message.to == kEveryone || !hears_(message.origin, message.to) ||
+    checks_.expect(message.to == kEveryone || !receives_(message.origin, message.to) ||
                        reached[message.to.value],
                    "a receiver that its sender hears is not reached");
   }
 
   Routing& routing_;
-  HeardLately hears_;
+  HeardLately receives_;
   Checks& checks_;
   Time now_;
   std::vector<std::uint32_t> said_;

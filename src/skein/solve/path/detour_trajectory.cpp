@@ -107,8 +107,8 @@ void arrive_earliest(std::vector<Layer>& layers, const AirspaceMap& map,
 }
 
 // Best-first from offer to offer, each link looked at only when its turn comes: one with
-// the minimum time so far and kGreed times the time that the route takes from there on.
-// That arrives soon, not at the earliest time.
+// the minimum time so far and kHeuristicWeight times the time that the route takes from
+// there on. That arrives soon, not at the earliest time.
 class GreedyArrival {
  public:
   GreedyArrival(std::vector<Layer>& layers, const AirspaceMap& map, SearchBudget& budget)
@@ -140,7 +140,7 @@ class GreedyArrival {
   }
 
  private:
-  static constexpr double kGreed = 3;
+  static constexpr double kHeuristicWeight = 3;
   struct Trial {
     double worth;
     std::size_t layer, index, layer_before, before;
@@ -161,7 +161,8 @@ class GreedyArrival {
         const Link l = link(from.state, layers_[next][i].state, map_.query());
         const double arrival = from.time + l.duration;
         if (arrival < math::kInfinity)
-          open_.push({arrival + kGreed * left_[next], next, i, layer, index, l});
+          open_.push(
+              {arrival + kHeuristicWeight * left_[next], next, i, layer, index, l});
       }
   }
 

@@ -27,11 +27,11 @@ MultirotorAirframe airframe_of(const FlightLimits& limits) {
   return airframe;
 }
 
-std::variant<PointFlier, MultirotorGuidance> flier_of(const SkeinSetup& setup,
-                                                      const Vec3& home_N) {
+std::variant<PointController, MultirotorGuidance> controller_of(const SkeinSetup& setup,
+                                                                const Vec3& home_N) {
   if (const auto* rotors = std::get_if<MultirotorAirframe>(&setup.airframe))
     return MultirotorGuidance(setup.options.rotor_guidance, *rotors, home_N);
-  return PointFlier(setup, home_N);
+  return PointController(setup, home_N);
 }
 
 }  // namespace
@@ -51,14 +51,14 @@ SetpointAutopilot::SetpointAutopilot(std::shared_ptr<const SkeinSetup> setup,
     : setup_(std::move(setup)),
       nav_(state_of(initial)),
       home_N_(initial.p_N),
-      flier_(flier_of(*setup_, home_N_)) {}
+      controller_(controller_of(*setup_, home_N_)) {}
 
 void SetpointAutopilot::begin(const NavEstimate& start, bool /*on_ground*/) {
   nav_ = state_of(start);
-  if (auto* point = std::get_if<PointFlier>(&flier_))
+  if (auto* point = std::get_if<PointController>(&controller_))
     point->take_over(view());
   else
-    std::get<MultirotorGuidance>(flier_).forget(nav_);
+    std::get<MultirotorGuidance>(controller_).forget(nav_);
 }
 
 void SetpointAutopilot::sense(const SensorSample& sample) {
@@ -94,10 +94,10 @@ void SetpointAutopilot::command(const AutopilotCommand& command) {
   if (std::holds_alternative<TakeOff>(led.guidance) ||
       std::holds_alternative<Land>(led.guidance))
     reason = "taking off and landing are not flown by setpoints";
-  else if (auto* point = std::get_if<PointFlier>(&flier_))
+  else if (auto* point = std::get_if<PointController>(&controller_))
     reason = point->command(led, view());
   else
-    reason = std::get<MultirotorGuidance>(flier_).command(led, nav_);
+    reason = std::get<MultirotorGuidance>(controller_).command(led, nav_);
   if (!reason) {
     command_ = command;
     return;
@@ -126,8 +126,9 @@ TrackSetpoint SetpointAutopilot::setpoint(const MultirotorDemand& demand) const 
 
 Control SetpointAutopilot::control(Time now, double dt) {
   nav_.time = now;
-  if (auto* point = std::get_if<PointFlier>(&flier_)) return point->fly(view(), dt);
-  return setpoint(std::get<MultirotorGuidance>(flier_).step(nav_, dt));
+  if (auto* point = std::get_if<PointController>(&controller_))
+    return point->fly(view(), dt);
+  return setpoint(std::get<MultirotorGuidance>(controller_).step(nav_, dt));
 }
 
 NavEstimate SetpointAutopilot::estimate() const {
@@ -145,7 +146,10 @@ NavEstimate SetpointAutopilot::estimate() const {
 
 AutopilotStatus SetpointAutopilot::status() const {
   AutopilotStatus status = std::visit(
-      [](const auto& flier) -> const AutopilotStatus& { return flier.status(); }, flier_);
+      [](const auto& controller) -> const AutopilotStatus& {
+        return controller.status();
+      },
+      controller_);
   status.refusals = refusals_;
   status.refused = refused_;
   return status;

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "skein/layer/autopilot/skein/point_flier.h"
+#include "skein/layer/autopilot/skein/point_controller.h"
 #include "skein/role/autopilot.h"
 
 namespace skein::autopilot {
@@ -32,14 +32,14 @@ class SetpointAutopilot final : public Autopilot {
   AutopilotStatus status() const override;
 
  private:
-  FlierView view() const { return {nav_, {}, 0}; }
+  ControllerView view() const { return {nav_, {}, 0}; }
   AutopilotCommand led_home(const AutopilotCommand& command) const;
   TrackSetpoint setpoint(const MultirotorDemand& demand) const;
 
   std::shared_ptr<const SkeinSetup> setup_;
   NavState nav_;
   Vec3 home_N_;
-  std::variant<PointFlier, MultirotorGuidance> flier_;
+  std::variant<PointController, MultirotorGuidance> controller_;
   AutopilotCommand command_;
   ReturnRoute return_;
   std::string refused_;

@@ -54,11 +54,11 @@ double mean_throttle(const Control& control, const Airframe& airframe) {
 
 }  // namespace
 
-SkeinAutopilot::Flier SkeinAutopilot::make_flier(const SkeinSetup& setup,
-                                                 const Vec3& home_N) {
-  if (setup.wing) return WingFlier(setup, home_N);
-  if (setup.rotors) return RotorFlier(setup, home_N);
-  return PointFlier(setup, home_N);
+SkeinAutopilot::Controller SkeinAutopilot::make_controller(const SkeinSetup& setup,
+                                                           const Vec3& home_N) {
+  if (setup.wing) return FixedWingController(setup, home_N);
+  if (setup.rotors) return MultirotorController(setup, home_N);
+  return PointController(setup, home_N);
 }
 
 SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
@@ -80,7 +80,7 @@ SkeinAutopilot::SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup,
       consumption_(setup_->options.consumption),
       ground_(setup_->limits, hover_throttle(setup_->airframe), on_ground),
       sensors_(initial.time, setup_->options.watches_sensors),
-      flier_(make_flier(*setup_, home_N_)) {
+      controller_(make_controller(*setup_, home_N_)) {
   if (setup_->wing || setup_->rotors) last_ = Actuators{};
   if (setup_->options.watches_link) input_.link_heard = initial.time;
   if (setup_->options.watches_gnss) input_.gnss_fix = initial.time;
@@ -193,7 +193,7 @@ void SkeinAutopilot::command(const AutopilotCommand& command) {
   input_.command = kind_of(command);
 }
 
-FlierView SkeinAutopilot::view() const {
+ControllerView SkeinAutopilot::view() const {
   return {estimator_.state(),
           estimator_.height_agl(),
           -home_N_.z(),
@@ -215,7 +215,7 @@ void SkeinAutopilot::look_around(Time now, const NavState& nav) {
   if (is_landing(nav)) input_.charge_home = std::min(input_.charge_home, input_.charge);
   input_.on_ground = ground_.step(nav, throttle_);
   const bool coordinated =
-      std::visit([](const auto& f) { return f.coordinated(); }, flier_);
+      std::visit([](const auto& f) { return f.coordinated(); }, controller_);
   estimator_.set_coordinated(coordinated && ground_.clear() && !input_.on_ground);
   const bool landing =
       order_ == Order::kLand ||
@@ -227,10 +227,11 @@ void SkeinAutopilot::look_around(Time now, const NavState& nav) {
     // stand.
     failed_ |= motors_.step(now, standing_, *commanded);
     input_.motor_failed = failed_ != 0;
-    if (auto* rotors = std::get_if<RotorFlier>(&flier_)) rotors->set_standing(failed_);
+    if (auto* rotors = std::get_if<MultirotorController>(&controller_))
+      rotors->set_standing(failed_);
   }
   const AutopilotStatus& flown = std::visit(
-      [](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
+      [](const auto& f) -> const AutopilotStatus& { return f.status(); }, controller_);
   input_.done = flown.done;
   input_.landed = landing && flown.done && input_.on_ground;
   const bool elsewhere = order_ == Order::kLand && !return_.points.empty();
@@ -242,7 +243,7 @@ Control SkeinAutopilot::control(Time now, double dt) {
   const NavState& nav = estimator_.state();
   look_around(now, nav);
   const Decision& decision = modes_.step(input_);
-  const FlierView seen = view();
+  const ControllerView seen = view();
   const bool again = decision.events.has(ModeEvent::kOrderChanged);
   if (decision.order != order_ || again) {
     obey(decision.order, order_, seen);
@@ -258,14 +259,14 @@ Control SkeinAutopilot::control(Time now, double dt) {
   return last_;
 }
 
-void SkeinAutopilot::obey(Order order, Order before, const FlierView& now) {
+void SkeinAutopilot::obey(Order order, Order before, const ControllerView& now) {
   const bool another_flew = before == Order::kPilot || before == Order::kStand;
   std::visit(
-      [&](auto& flier) {
-        if (another_flew && order != before) flier.take_over(now);
-        if (order == Order::kDescend && before != order) flier.begin_descent(now);
+      [&](auto& controller) {
+        if (another_flew && order != before) controller.take_over(now);
+        if (order == Order::kDescend && before != order) controller.begin_descent(now);
       },
-      flier_);
+      controller_);
   switch (order) {
     case Order::kStand:
     case Order::kPilot:
@@ -292,7 +293,7 @@ bool SkeinAutopilot::returns() const {
 }
 
 // Another route home, or the next piece of it.
-void SkeinAutopilot::lead_home(const FlierView& now) {
+void SkeinAutopilot::lead_home(const ControllerView& now) {
   std::vector<Vec2>& points = return_.points;
   if (returns() && points.size() > 1) {
     const double near = std::max(kNearCorner * setup_->limits.turn_radius, kMinNear);
@@ -311,7 +312,7 @@ void SkeinAutopilot::lead_home(const FlierView& now) {
 }
 
 AutopilotCommand SkeinAutopilot::failsafe_command(Order order,
-                                                  const FlierView& now) const {
+                                                  const ControllerView& now) const {
   AutopilotCommand command;
   command.altitude_msl = -now.nav.p_N.z();
   const bool at_home = return_.points.empty();
@@ -325,40 +326,42 @@ AutopilotCommand SkeinAutopilot::failsafe_command(Order order,
   return command;
 }
 
-void SkeinAutopilot::give(const AutopilotCommand& command, const FlierView& now) {
+void SkeinAutopilot::give(const AutopilotCommand& command, const ControllerView& now) {
   const auto* back = std::get_if<Return>(&command.guidance);
   AutopilotCommand led = command;
   if (back && !back->point && !return_.points.empty())
     led.guidance = Return{return_.points.front()};
-  auto reason = std::visit([&](auto& flier) { return flier.command(led, now); }, flier_);
+  auto reason = std::visit([&](auto& controller) { return controller.command(led, now); },
+                           controller_);
   if (!reason) return;
   refused_ = std::move(*reason);
   ++refusals_;
 }
 
-Control SkeinAutopilot::fly(Order order, const FlierView& now, double dt) {
+Control SkeinAutopilot::fly(Order order, const ControllerView& now, double dt) {
   return std::visit(
-      [&](auto& flier) {
+      [&](auto& controller) {
         switch (order) {
           case Order::kStand:
-            return flier.stand(now, dt);
+            return controller.stand(now, dt);
           case Order::kTakeOff:
             // Not before it knows how it stands.
-            return estimator_.aligning() ? flier.stand(now, dt) : flier.fly(now, dt);
+            return estimator_.aligning() ? controller.stand(now, dt)
+                                         : controller.fly(now, dt);
           case Order::kPilot:
-            return flier.pilot(*input_.pilot, now, dt);
+            return controller.pilot(*input_.pilot, now, dt);
           case Order::kDescend:
-            return modes_.decision().without_attitude ? flier.release(now, dt)
-                                                      : flier.descend(now, dt);
+            return modes_.decision().without_attitude ? controller.release(now, dt)
+                                                      : controller.descend(now, dt);
           default:
-            return flier.fly(now, dt);
+            return controller.fly(now, dt);
         }
       },
-      flier_);
+      controller_);
 }
 
 void SkeinAutopilot::change_gains() {
-  auto& wing = std::get<WingFlier>(flier_);
+  auto& wing = std::get<FixedWingController>(controller_);
   const std::size_t lap =
       std::min(static_cast<std::size_t>(wing.status().lap), setup_->lap_wings.size() - 1);
   if (lap == lap_) return;
@@ -368,7 +371,7 @@ void SkeinAutopilot::change_gains() {
 
 AutopilotStatus SkeinAutopilot::status() const {
   AutopilotStatus status = std::visit(
-      [](const auto& f) -> const AutopilotStatus& { return f.status(); }, flier_);
+      [](const auto& f) -> const AutopilotStatus& { return f.status(); }, controller_);
   const Decision& decision = modes_.decision();
   status.on_ground = ground_.on_ground();
   status.mode = decision.mode;

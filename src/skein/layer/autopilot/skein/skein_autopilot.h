@@ -8,12 +8,12 @@
 
 #include "skein/data/vehicle/air.h"
 #include "skein/layer/autopilot/estimator/flight_estimator.h"
+#include "skein/layer/autopilot/skein/fixed_wing_controller.h"
 #include "skein/layer/autopilot/skein/land_detector.h"
-#include "skein/layer/autopilot/skein/point_flier.h"
-#include "skein/layer/autopilot/skein/rotor_flier.h"
+#include "skein/layer/autopilot/skein/multirotor_controller.h"
+#include "skein/layer/autopilot/skein/point_controller.h"
 #include "skein/layer/autopilot/skein/sensor_selector.h"
 #include "skein/layer/autopilot/skein/skein_setup.h"
-#include "skein/layer/autopilot/skein/wing_flier.h"
 #include "skein/role/autopilot.h"
 
 namespace skein::autopilot {
@@ -52,12 +52,13 @@ class SkeinAutopilot final : public Autopilot {
   const Decision& decision() const { return modes_.decision(); }
 
  private:
-  using Flier = std::variant<WingFlier, RotorFlier, PointFlier>;
+  using Controller =
+      std::variant<FixedWingController, MultirotorController, PointController>;
   SkeinAutopilot(std::shared_ptr<const SkeinSetup> setup, const NavEstimate& initial,
                  bool on_ground, const Vec3& home_N);
-  static Flier make_flier(const SkeinSetup& setup, const Vec3& home_N);
+  static Controller make_controller(const SkeinSetup& setup, const Vec3& home_N);
 
-  FlierView view() const;
+  ControllerView view() const;
   bool is_lost(FlightSensor sensor) const {
     return (lost_ >> static_cast<unsigned>(sensor) & 1u) != 0;
   }
@@ -65,14 +66,14 @@ class SkeinAutopilot final : public Autopilot {
   bool selected(FlightSensor sensor, std::uint8_t unit, Time time);
   void take(const PowerSample& sample);
   void look_around(Time now, const NavState& nav);
-  void obey(Order order, Order before, const FlierView& now);
-  void give(const AutopilotCommand& command, const FlierView& now);
-  void lead_home(const FlierView& now);
+  void obey(Order order, Order before, const ControllerView& now);
+  void give(const AutopilotCommand& command, const ControllerView& now);
+  void lead_home(const ControllerView& now);
   bool returns() const;
   bool is_landing(const NavState& nav) const;
   HomeNeed need_of_return(const NavState& nav, const HomeFlight& flight) const;
-  AutopilotCommand failsafe_command(Order order, const FlierView& now) const;
-  Control fly(Order order, const FlierView& now, double dt);
+  AutopilotCommand failsafe_command(Order order, const ControllerView& now) const;
+  Control fly(Order order, const ControllerView& now, double dt);
   void change_gains();
 
   std::shared_ptr<const SkeinSetup> setup_;
@@ -84,7 +85,7 @@ class SkeinAutopilot final : public Autopilot {
   Consumption consumption_;
   LandDetector ground_;
   SensorSelector sensors_;
-  Flier flier_;
+  Controller controller_;
   ModeInput input_;
   Order order_ = Order::kStand;
   AutopilotCommand agent_command_;

@@ -242,9 +242,9 @@ void Channel::hear(Receiver& receiver, Time now) const {
   if (hears == receiver.hears) return;
   receiver.hears = hears;
   if (hears)
-    receiver.hears_since = now;
+    receiver.receives_since = now;
   else
-    receiver.heard += now - receiver.hears_since;
+    receiver.heard += now - receiver.receives_since;
 }
 
 bool Channel::is_lost(NodeIndex node, double log_success) {

@@ -56,7 +56,7 @@ class Channel {
   /// How long `node` has heard that others send, until `now`.
   Time heard(NodeIndex node, Time now) const {
     const Receiver& receiver = receivers_[node];
-    return receiver.heard + (receiver.hears ? now - receiver.hears_since : Time());
+    return receiver.heard + (receiver.hears ? now - receiver.receives_since : Time());
   }
 
  private:
@@ -88,7 +88,7 @@ class Channel {
     double log_header = 0, log_payload = 0;          // of success until then
     Time sending_until;
     bool hears = false;  // at least the carrier sense threshold
-    Time hears_since, heard;
+    Time receives_since, heard;
     std::vector<Signal> signals;
     std::vector<Candidate> candidates;  // frames whose window is open
   };

@@ -30,7 +30,7 @@ LiveFeed::LiveFeed(LiveHub& hub, Time duration, double speed, bool recorded)
     : hub_(hub), recorded_(recorded) {
   clock_.duration = duration;
   clock_.wanted_speed = speed;
-  told_clock_ = clock_;
+  reported_clock_ = clock_;
 }
 
 void LiveFeed::record(const Record& record) {
@@ -261,20 +261,20 @@ SharedBytes LiveFeed::batch(bool with_truth, bool state) const {
 
 RunClock LiveFeed::clock() const {
   const std::lock_guard guard(lock_);
-  return told_clock_;
+  return reported_clock_;
 }
 
 FeedSizes LiveFeed::sizes() const {
   const std::lock_guard guard(lock_);
-  return told_sizes_;
+  return reported_sizes_;
 }
 
 void LiveFeed::publish() {
   take_metrics();
   {
     const std::lock_guard guard(lock_);
-    told_clock_ = clock_;
-    told_sizes_ = {state_.size(), items_.size(), metrics_.size()};
+    reported_clock_ = clock_;
+    reported_sizes_ = {state_.size(), items_.size(), metrics_.size()};
   }
   if (!hub_.is_watched()) {
     items_.clear();

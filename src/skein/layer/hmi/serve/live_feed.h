@@ -120,8 +120,8 @@ class LiveFeed final : public Recorder {
   std::deque<MetricSample> metrics_;
   mutable std::mutex lock_;
   std::vector<MetricSample> new_metrics_;  // under the lock
-  RunClock told_clock_;                    // under the lock
-  FeedSizes told_sizes_;                   // under the lock
+  RunClock reported_clock_;                // under the lock
+  FeedSizes reported_sizes_;               // under the lock
   RunClock clock_;
   Moment next_{};
   Moment measured_at_{};  // where the measured speed counts from

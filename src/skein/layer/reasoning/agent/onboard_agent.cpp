@@ -70,7 +70,7 @@ void OnboardAgent::tell_watchers(const NavEstimate& nav, AgentOutput& out) const
   }
 }
 
-// Alerts about strangers, and what may be flown.
+// Alerts about intruders, and what may be flown.
 void OnboardAgent::look_out(const TaskStep& step, bool flies, AgentOutput& out) {
   const auto goal = [this, &step] {
     return goal_of(chain_.wanted(), chain_.progress().passed, *step.in.nav,

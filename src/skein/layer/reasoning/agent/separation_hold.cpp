@@ -196,7 +196,7 @@ void SeparationPlanner::stay_as_foreseen(std::uint32_t number) {
   given_ = number;
   kind_ = FlightIntent{0, Circling{}}.what.index();
   circled_ = hold_->flown;
-  points_ahead_ = told_ = passed_before_ = 0;
+  points_ahead_ = reported_ = passed_before_ = 0;
 }
 
 // Whether the task's flight has been flown to its end, and its circle has begun.

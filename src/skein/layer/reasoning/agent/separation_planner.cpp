@@ -139,7 +139,8 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
     points_left_ = legs->points.size() * static_cast<std::size_t>(legs->laps);
   const bool flies = flight.number == given.number;
   const std::size_t passed = flies ? flight.passed : 0;
-  if (flies && given.number == given_) told_ = passed - std::min(passed_before_, passed);
+  if (flies && given.number == given_)
+    reported_ = passed - std::min(passed_before_, passed);
   if (goes_on_as_foreseen(given) || !expects_other(given, step)) return;
   const bool has_legs = std::holds_alternative<Legs>(given.what);
   // Circles too are flown as they are said: autopilots each fly their own way onto one.
@@ -168,7 +169,7 @@ void SeparationPlanner::want(const FlightIntent& given, const TaskStep& step,
   foreseen_ = false;
   legs_end_ = ends;
   points_ahead_ = ahead.points.size();
-  told_ = 0;
+  reported_ = 0;
   passed_before_ = passed;
   has_legs_ = has_legs;
   given_ = given.number;
@@ -206,7 +207,7 @@ ExpectedFlight SeparationPlanner::prolonged(const FlightIntent& given,
   there.heading = m.heading;
   const std::vector<double>& milestones = separator_.milestones();
   const std::size_t points =
-      std::min(points_ahead_ - std::min(told_, points_ahead_), milestones.size());
+      std::min(points_ahead_ - std::min(reported_, points_ahead_), milestones.size());
   ExpectedFlight on =
       expected_flight(given, points, there, context, end, options_.horizon + kExpected);
   ExpectedFlight all;
@@ -347,7 +348,7 @@ void SeparationPlanner::separate(const TaskStep& step, bool keeps_on, bool is_ig
     lowest_of_ = wanted_.number;
     lowest_ = lowest(wanted_.plan, *context_.map);
   }
-  list_strangers(step);
+  list_intruders(step);
   const PathQuery query = query_of(step);
   separator_.step(separation_step(step, query, keeps_on, is_ignored), wanted_, messages_);
 }
@@ -367,7 +368,7 @@ SeparationStep SeparationPlanner::separation_step(const TaskStep& step,
           priority,
           query,
           step.safety.zones().zones(),
-          strangers_,
+          intruders_,
           keeps_on,
           is_ignored};
 }
@@ -401,23 +402,23 @@ const FlightIntent* SeparationPlanner::own_flight(const FlightIntent& given,
 }
 
 // Firm tracks of those who do not belong to the team.
-void SeparationPlanner::list_strangers(const TaskStep& step) {
-  strangers_.clear();
+void SeparationPlanner::list_intruders(const TaskStep& step) {
+  intruders_.clear();
   for (const TrafficTrack& track : step.beliefs.traffic().tracks()) {
     if (!is_firm(track)) continue;
     const TrafficState state = track.filter.at(step.in.now);
-    Stranger stranger;
-    stranger.name = track.number;
-    stranger.time = step.in.now.seconds();
-    stranger.p_N = state.p_N;
-    stranger.v_N = state.v_N;
-    stranger.horizontal_sd = state.horizontal_sd();
-    stranger.vertical_sd = state.vertical_sd();
-    stranger.horizontal_speed_sd = std::sqrt(std::max(state.vv(0, 0), state.vv(1, 1)));
-    stranger.vertical_speed_sd = std::sqrt(std::max(0.0, state.vv(2, 2)));
-    // Who keeps more to its own kind keeps that to strangers too.
-    stranger.kept = larger(stranger.kept, options_.separation);
-    strangers_.push_back(stranger);
+    AvoidedIntruder intruder;
+    intruder.name = track.number;
+    intruder.time = step.in.now.seconds();
+    intruder.p_N = state.p_N;
+    intruder.v_N = state.v_N;
+    intruder.horizontal_sd = state.horizontal_sd();
+    intruder.vertical_sd = state.vertical_sd();
+    intruder.horizontal_speed_sd = std::sqrt(std::max(state.vv(0, 0), state.vv(1, 1)));
+    intruder.vertical_speed_sd = std::sqrt(std::max(0.0, state.vv(2, 2)));
+    // Who keeps more to its own kind keeps that to intruders too.
+    intruder.kept = larger(intruder.kept, options_.separation);
+    intruders_.push_back(intruder);
   }
 }
 
@@ -431,9 +432,9 @@ FlightProgress SeparationPlanner::for_task(const FlightProgress& flown) {
         std::min(separator_.passed() + flown.passed, points_ahead_);
     progress = {};
     progress.number = given_;
-    progress.passed = passed - std::min(told_, passed);
+    progress.passed = passed - std::min(reported_, passed);
     progress.done = progress.passed >= points_left_;
-    told_ = std::max(told_, passed);
+    reported_ = std::max(reported_, passed);
     return progress;
   }
   progress.number = given_;

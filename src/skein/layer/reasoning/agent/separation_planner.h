@@ -98,7 +98,7 @@ class SeparationPlanner {
   void separate(const TaskStep& step, bool keeps_on, bool is_ignored);
   const FlightIntent* own_flight(const FlightIntent& given, const TaskStep& step);
   void say(AgentOutput& out);
-  void list_strangers(const TaskStep& step);
+  void list_intruders(const TaskStep& step);
 
   const FlightContext& context_;
   SeparationOptions options_;
@@ -118,8 +118,8 @@ class SeparationPlanner {
   std::size_t points_left_ = 0;      // of the legs that are wanted
   std::size_t points_ahead_ = 0;     // of them, in what is expected
   std::size_t passed_before_ = 0;    // of them, when it was expected
-  std::size_t told_ = 0;    // points of legs that the task knows to be passed by it
-  bool by_others_ = false;  // what is wanted is the flight of a pilot or failsafe
+  std::size_t reported_ = 0;  // points of legs that the task knows to be passed by it
+  bool by_others_ = false;    // what is wanted is the flight of a pilot or failsafe
   std::optional<Time> unflown_since_;  // its last flight
   Time ignored_until_;                 // by a pilot who was shown it
   Time expected_at_;
@@ -141,7 +141,7 @@ class SeparationPlanner {
   bool modifies_ = false;
   std::string_view reason_;
   std::vector<Message> messages_;
-  std::vector<Stranger> strangers_;
+  std::vector<AvoidedIntruder> intruders_;
 };
 
 }  // namespace skein::reasoning

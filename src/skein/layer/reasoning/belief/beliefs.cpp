@@ -34,7 +34,7 @@ void Beliefs::see(const DetectionSample& seen, const NavEstimate& nav, AgentOutp
   sighting.position_sd = math::hypot(seen.position_sd, nav.position_sd);
   sighting.what = seen.what;
   objects_.add(sighting);
-  const auto [told, first] = told_.try_emplace(seen.object, seen.time);
+  const auto [told, first] = reported_.try_emplace(seen.object, seen.time);
   if (!first && (seen.time - told->second).seconds() < kTellEvery) return;
   told->second = seen.time;
   Message message;

@@ -32,7 +32,7 @@ class Beliefs {
   ObjectMemory objects_;
   TeamMemory team_;
   TrafficBeliefs traffic_;
-  std::map<std::uint32_t, Time> told_;  // when each object was reported last
+  std::map<std::uint32_t, Time> reported_;  // when each object was reported last
 };
 
 }  // namespace skein::reasoning

@@ -12,7 +12,7 @@ namespace skein::reasoning {
 
 /// What is believed on board of aircraft that do not belong to the team: tracks of what
 /// the own sensors for traffic say (TrafficTracker), placed by where the autopilot
-/// believed to be when they measured. Who reports to the team is no stranger.
+/// believed to be when they measured. Who reports to the team is no intruder.
 class TrafficBeliefs {
  public:
   /// Takes in what was sensed, forgets what is too old, and records each track once a

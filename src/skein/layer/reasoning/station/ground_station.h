@@ -9,7 +9,7 @@
 #include "skein/layer/reasoning/station/heartbeat.h"
 #include "skein/layer/reasoning/station/mission_control.h"
 #include "skein/layer/reasoning/station/zone_server.h"
-#include "skein/layer/reasoning/team/onboard/team_desk.h"
+#include "skein/layer/reasoning/team/onboard/team_server.h"
 
 namespace skein::reasoning {
 
@@ -19,8 +19,8 @@ struct GroundStationOptions {
   NavEstimate position;             ///< of itself
   Time heartbeat;                   ///< between two heartbeats; 0: none
   ZoneServerOptions zones;
-  std::string name = {};                ///< of itself
-  std::shared_ptr<TeamDesk> desk = {};  ///< of its team that leads itself; none: null
+  std::string name = {};                  ///< of itself
+  std::shared_ptr<TeamServer> desk = {};  ///< of its team that leads itself; none: null
 };
 
 /// The agent of a ground station: says which no-fly zones are in force, pursues its
@@ -43,7 +43,7 @@ class GroundStation final : public Agent {
   MissionControl missions_;
   HeartbeatSender heartbeat_;
   std::string name_;
-  std::shared_ptr<TeamDesk> desk_;
+  std::shared_ptr<TeamServer> desk_;
 };
 
 }  // namespace skein::reasoning

@@ -399,9 +399,9 @@ TEST(SealedModemPeer, HearsWhoHasTheKeyAndNobodyElse) {
   std::vector<Message> came;
   ModemPeer station(sealed_options(1, kStation, seal_of(1)));
   ModemPeer real(sealed_options(2, kFirst, seal_of(1)));
-  ModemPeer stranger(sealed_options(3, kFirst, seal_of(2)));
+  ModemPeer intruder(sealed_options(3, kFirst, seal_of(2)));
   station.receive(coded(advertisement_of(4, 1, kFirst)), Time(), came);
-  station.receive(advertisement_by(stranger), Time(), came);
+  station.receive(advertisement_by(intruder), Time(), came);
   station.receive({}, Time(), came);
   EXPECT_FALSE(station.hears(kFirst));
   EXPECT_EQ(station.statistics(Time()).unauthentic, 3u);
@@ -430,9 +430,9 @@ TEST(SealedModemPeer, OnlyCountsWhereItIsNotRequired) {
   std::vector<Message> came;
   for (const bool sealed : {false, true}) {
     ModemPeer station(sealed_options(1, kStation, seal_of(1, false)));
-    ModemPeer stranger(sealed_options(3, kFirst, seal_of(2)));
+    ModemPeer intruder(sealed_options(3, kFirst, seal_of(2)));
     station.receive(
-        sealed ? advertisement_by(stranger) : coded(advertisement_of(4, 1, kFirst)),
+        sealed ? advertisement_by(intruder) : coded(advertisement_of(4, 1, kFirst)),
         Time(), came);
     EXPECT_TRUE(station.hears(kFirst)) << sealed;
     EXPECT_EQ(station.statistics(Time()).unauthentic, 1u);

@@ -137,9 +137,9 @@ TEST(EntityLinks, RefuseAnAgentOfAnotherScenarioOrName) {
   EXPECT_NE(changes[0].text.find("another scenario"), std::string::npos);
   WorldClientOptions other = scout(world.door());
   other.entity = "scout-2";
-  WorldClient stranger(other);
-  ASSERT_TRUE(stranger.start().ok());
-  ASSERT_TRUE(wait([&] { return changes = stranger.take_changes(), !changes.empty(); }));
+  WorldClient intruder(other);
+  ASSERT_TRUE(intruder.start().ok());
+  ASSERT_TRUE(wait([&] { return changes = intruder.take_changes(), !changes.empty(); }));
   EXPECT_NE(changes[0].text.find("no agent of \"scout-2\""), std::string::npos);
   world.look();
   EXPECT_TRUE(world.changes.empty());

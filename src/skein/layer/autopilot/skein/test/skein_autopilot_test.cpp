@@ -255,8 +255,8 @@ TEST(SkeinAutopilot, KeepsLittleForEachAircraft) {
   constexpr std::size_t kRoom = 256;
   EXPECT_LE(sizeof(FlightEstimator), 5200 + kRoom);
   EXPECT_LE(sizeof(ModeLogic), 176 + kRoom);
-  EXPECT_LE(sizeof(WingFlier), 1792 + kRoom);
-  EXPECT_LE(sizeof(RotorFlier), 1520 + kRoom);
+  EXPECT_LE(sizeof(FixedWingController), 1792 + kRoom);
+  EXPECT_LE(sizeof(MultirotorController), 1520 + kRoom);
   EXPECT_LE(sizeof(SkeinAutopilot), 8192 + kRoom);
 }
 

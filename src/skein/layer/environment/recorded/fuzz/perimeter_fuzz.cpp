@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Perimeters from strangers: any text as GeoJSON, and any geometry past the reader, must
+// Perimeters from intruders: any text as GeoJSON, and any geometry past the reader, must
 // give a growing series of clean regions or an error, never a crash.
 
 #include <cpl_vsi.h>

@@ -7,7 +7,7 @@
 
 #include "skein/base/random.h"
 #include "skein/layer/reasoning/agent/expected_flight.h"
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
+#include "skein/layer/reasoning/avoidance/encounter/plan_encounter.h"
 #include "skein/layer/reasoning/trajectory/test/test_flight.h"
 #include "skein/model/path/flight_code.h"
 
@@ -81,7 +81,7 @@ TEST(HoldPlanner, CirclesOfTwoAreApartWhateverTheirGeometry) {
     EXPECT_TRUE(are_apart(*a, *b, Separation{})) << k;
     // Nearer than that both may head for each other, with no time left.
     if (beside >= 200) {
-      EXPECT_FALSE(first_meeting(held, flown, Separation{}, 0, 1e9)) << k;
+      EXPECT_FALSE(first_encounter(held, flown, Separation{}, 0, 1e9)) << k;
     }
     moved += (place.centre - own).norm() > 1 || place.altitude_msl ? 1 : 0;
   }

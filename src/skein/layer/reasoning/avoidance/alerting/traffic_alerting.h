@@ -14,7 +14,7 @@
 
 namespace skein::reasoning {
 
-/// Alerts about the strangers that an aircraft tracks, and what it may fly while one
+/// Alerts about the intruders that an aircraft tracks, and what it may fly while one
 /// stands: once a second, whether or not it keeps out of their way by itself.
 ///
 /// A level that changes is recorded (TrafficAlert). One that rises is an event too,

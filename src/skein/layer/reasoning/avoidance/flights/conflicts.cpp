@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
+#include "skein/layer/reasoning/avoidance/encounter/flight_envelope.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
@@ -47,13 +47,13 @@ std::vector<Conflict> ConflictFinder::find(Time now, const OwnFlight& own,
   const double t = now.seconds();
   std::vector<Conflict> all;
   std::optional<FlightEnvelope> room;  // of the own flight
-  const auto meeting = [&](const FlightPlan& other, const Separation& separation) {
+  const auto encounter = [&](const FlightPlan& other, const Separation& separation) {
     if (own.plan.empty() || model::end_time_of(own.plan) <= t)
-      return std::optional<PlanMeeting>();
+      return std::optional<PlanEncounter>();
     if (!room) room.emplace(t, model::end_time_of(own.plan)).add(own.plan);
-    if (!room->may_meet(other, separation)) return std::optional<PlanMeeting>();
-    return first_meeting(own.plan, other, separation, t,
-                         std::numeric_limits<double>::infinity());
+    if (!room->may_meet(other, separation)) return std::optional<PlanEncounter>();
+    return first_encounter(own.plan, other, separation, t,
+                           std::numeric_limits<double>::infinity());
   };
   std::swap(looked_, before_);
   looked_.clear();
@@ -69,15 +69,15 @@ std::vector<Conflict> ConflictFinder::find(Time now, const OwnFlight& own,
     const Separation separation = separation_of(own, other, expected.unknown);
     const bool same = known && old->own == own.number && old->other == expected.number &&
                       is_about(separation, old->separation) &&
-                      !(old->meeting && old->meeting->end <= t);
+                      !(old->encounter && old->encounter->end <= t);
     looked_.push_back(same ? *old
                            : Looked{other.who, own.number, expected.number, separation,
-                                    meeting(*expected.plan, separation)});
+                                    encounter(*expected.plan, separation)});
     const Looked& looked = looked_.back();
-    if (looked.meeting && looked.meeting->begin < until)
-      all.push_back({other.who, *looked.meeting, looked.separation});
+    if (looked.encounter && looked.encounter->begin < until)
+      all.push_back({other.who, *looked.encounter, looked.separation});
   }
-  std::ranges::stable_sort(all, {}, [](const Conflict& c) { return c.meeting.begin; });
+  std::ranges::stable_sort(all, {}, [](const Conflict& c) { return c.encounter.begin; });
   return all;
 }
 

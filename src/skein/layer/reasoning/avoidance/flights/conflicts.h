@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "skein/layer/reasoning/avoidance/encounter/plan_encounter.h"
 #include "skein/layer/reasoning/avoidance/flights/team_flights.h"
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 
 namespace skein::reasoning {
 
@@ -22,7 +22,7 @@ struct OwnFlight {
 /// Two planned flights that will not be apart.
 struct Conflict {
   EntityId other;
-  PlanMeeting meeting;
+  PlanEncounter encounter;
   Separation separation;  ///< of the pair
 };
 
@@ -54,7 +54,7 @@ class ConflictFinder {
     EntityId who;
     std::uint32_t own = 0, other = 0;
     Separation separation;
-    std::optional<PlanMeeting> meeting;
+    std::optional<PlanEncounter> encounter;
   };
   std::vector<Looked> looked_, before_;  // by id
 };

@@ -6,23 +6,23 @@
 #include <set>
 #include <tuple>
 
-#include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
+#include "skein/layer/reasoning/avoidance/encounter/flight_envelope.h"
 #include "skein/model/path/flight_plan.h"
 
 namespace skein::reasoning {
 
-const std::optional<PlanMeeting>& ConflictGroups::meeting(const TeamFlight& a,
-                                                          const TeamFlight& b,
-                                                          double now) {
-  if (b.who < a.who) return meeting(b, a, now);
+const std::optional<PlanEncounter>& ConflictGroups::encounter(const TeamFlight& a,
+                                                              const TeamFlight& b,
+                                                              double now) {
+  if (b.who < a.who) return encounter(b, a, now);
   const auto [at, first] = looked_.try_emplace(Pair{a.who, b.who});
   Looked& looked = at->second;
   if (first || looked.a != a.number || looked.b != b.number ||
-      (looked.meeting && looked.meeting->end <= now))
+      (looked.encounter && looked.encounter->end <= now))
     looked = {a.number, b.number,
-              first_meeting(a.plan, b.plan, separation_between(a, b), now,
-                            std::numeric_limits<double>::infinity())};
-  return looked.meeting;
+              first_encounter(a.plan, b.plan, separation_between(a, b), now,
+                              std::numeric_limits<double>::infinity())};
+  return looked.encounter;
 }
 
 ConflictGroup ConflictGroups::find(Time now, std::span<const Conflict> conflicts,
@@ -35,8 +35,8 @@ ConflictGroup ConflictGroups::find(Time now, std::span<const Conflict> conflicts
   // Conflicts of members with those who are none yet: when, with whom, until when.
   std::set<std::tuple<double, EntityId, double>> border;
   for (const Conflict& each : conflicts)
-    if (each.meeting.begin < until)
-      border.emplace(each.meeting.begin, each.other, each.meeting.end);
+    if (each.encounter.begin < until)
+      border.emplace(each.encounter.begin, each.other, each.encounter.end);
   ConflictGroup group;
   while (!border.empty() && group.others.size() + 1 < most) {
     const auto [begin, who, end] = *border.begin();
@@ -54,7 +54,7 @@ ConflictGroup ConflictGroups::find(Time now, std::span<const Conflict> conflicts
       if (each.who == who || !each.conforms(now) ||
           !room.may_meet(each.plan, separation_between(*member, each)))
         continue;
-      if (const auto& met = meeting(*member, each, now.seconds());
+      if (const auto& met = encounter(*member, each, now.seconds());
           met && met->begin < until)
         border.emplace(met->begin, each.who, met->end);
     }

@@ -34,11 +34,11 @@ class ConflictGroups {
  private:
   struct Looked {
     std::uint32_t a = 0, b = 0;  // numbers of their plans
-    std::optional<PlanMeeting> meeting;
+    std::optional<PlanEncounter> encounter;
   };
   using Pair = std::pair<EntityId, EntityId>;
-  const std::optional<PlanMeeting>& meeting(const TeamFlight& a, const TeamFlight& b,
-                                            double now);
+  const std::optional<PlanEncounter>& encounter(const TeamFlight& a, const TeamFlight& b,
+                                                double now);
 
   std::map<Pair, Looked> looked_;
 };

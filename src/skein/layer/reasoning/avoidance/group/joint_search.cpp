@@ -10,8 +10,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "skein/layer/reasoning/avoidance/encounter/plan_encounter.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 #include "skein/model/path/flight_plan.h"
 #include "skein/solve/path/repair.h"
 
@@ -24,8 +24,8 @@ constexpr double kMinGain = 1e-6;  // [s]
 
 class JointSearch {
  public:
-  JointSearch(const JointProblem& problem, std::size_t max_meetings)
-      : problem_(problem), left_(max_meetings), pools_(problem.members.size()) {
+  JointSearch(const JointProblem& problem, std::size_t max_encounters)
+      : problem_(problem), left_(max_encounters), pools_(problem.members.size()) {
     for (std::size_t i = 0; i < pools_.size(); ++i) {
       const FlightPlan& plan = problem.members[i].flight.plan;
       JointChoice going_on;
@@ -54,7 +54,7 @@ class JointSearch {
  private:
   struct Found {
     std::size_t i = 0, j = 0;
-    PlanMeeting meeting;
+    PlanEncounter encounter;
   };
 
   std::size_t size() const { return pools_.size(); }
@@ -62,16 +62,16 @@ class JointSearch {
     return problem_.kept[i * size() + j];
   }
 
-  // The meeting of two choices; looked at once.
-  const std::optional<PlanMeeting>& meeting(std::size_t i, std::size_t a, std::size_t j,
-                                            std::size_t b) {
-    if (i > j) return meeting(j, b, i, a);
+  // The encounter of two choices; looked at once.
+  const std::optional<PlanEncounter>& encounter(std::size_t i, std::size_t a,
+                                                std::size_t j, std::size_t b) {
+    if (i > j) return encounter(j, b, i, a);
     const std::uint64_t key = ((i * size() + j) << 40) | (a << 20) | b;
-    const auto [at, first] = meetings_.try_emplace(key);
+    const auto [at, first] = encounters_.try_emplace(key);
     if (first) {
       left_ -= std::min<std::size_t>(left_, 1);
-      at->second = first_meeting(pools_[i][a].flight, pools_[j][b].flight, kept(i, j),
-                                 problem_.begin, problem_.look_until);
+      at->second = first_encounter(pools_[i][a].flight, pools_[j][b].flight, kept(i, j),
+                                   problem_.begin, problem_.look_until);
     }
     return at->second;
   }
@@ -85,10 +85,10 @@ class JointSearch {
     for (std::size_t i = 0; i < size(); ++i) {
       cost += pools_[i][chosen_[i]].cost;
       for (std::size_t j = i + 1; j < size(); ++j) {
-        const auto& met = meeting(i, chosen_[i], j, chosen_[j]);
+        const auto& met = encounter(i, chosen_[i], j, chosen_[j]);
         if (!met) continue;
         ++conflicts;
-        if (!earliest || met->begin < earliest->meeting.begin) earliest = {i, j, *met};
+        if (!earliest || met->begin < earliest->encounter.begin) earliest = {i, j, *met};
       }
     }
     if (std::tuple(conflicts, cost) < std::tuple(best_conflicts_, best_cost_)) {
@@ -113,7 +113,8 @@ class JointSearch {
                                  conflict.separation};
     std::vector<JointChoice>& pool = pools_[who];
     std::vector<Candidate> all = candidates(about, strength);
-    const std::size_t near = add_meetings(all, about, member.others, problem_.look_until);
+    const std::size_t near =
+        add_encounters(all, about, member.others, problem_.look_until);
     for (Candidate& each : all) {
       left_ -= std::min(left_, near);
       if (each.manoeuvre.kind == ManoeuvreKind::kGoOn) {
@@ -132,8 +133,8 @@ class JointSearch {
     double cost = pools_[who][choice].cost;
     for (std::size_t k = 0; k < size(); ++k) {
       if (k == who || k == other) continue;
-      if (const auto& met = meeting(who, choice, k, chosen_[k]))
-        cost += cost_of_meeting(*met, conflict.meets);
+      if (const auto& met = encounter(who, choice, k, chosen_[k]))
+        cost += cost_of_encounter(*met, conflict.meets);
     }
     return cost;
   }
@@ -153,7 +154,7 @@ class JointSearch {
     std::ranges::sort(pairs);
     for (const auto& [cost, a, b] : pairs) {
       if (left_ == 0) return false;
-      if (meeting(found.i, a, found.j, b)) continue;
+      if (encounter(found.i, a, found.j, b)) continue;
       chosen_[found.i] = a;
       chosen_[found.j] = b;
       return true;
@@ -167,9 +168,9 @@ class JointSearch {
     if (!found || left_ == 0) return false;
     NegotiatedConflict conflict;
     conflict.begin = problem_.begin;
-    conflict.meets = static_cast<float>(found->meeting.begin);
-    conflict.closest = static_cast<float>(found->meeting.closest_time);
-    conflict.apart = static_cast<float>(found->meeting.end);
+    conflict.meets = static_cast<float>(found->encounter.begin);
+    conflict.closest = static_cast<float>(found->encounter.closest_time);
+    conflict.apart = static_cast<float>(found->encounter.end);
     conflict.separation = kept(found->i, found->j);
     for (const double strength : kJointStrengths) {
       make(found->i, conflict, strength);
@@ -185,7 +186,7 @@ class JointSearch {
   // Whether a choice is apart from what all others have chosen, but one.
   bool is_apart(std::size_t who, std::size_t choice, std::size_t but) {
     for (std::size_t k = 0; k < size(); ++k)
-      if (k != who && k != but && meeting(who, choice, k, chosen_[k])) return false;
+      if (k != who && k != but && encounter(who, choice, k, chosen_[k])) return false;
     return true;
   }
 
@@ -227,7 +228,7 @@ class JointSearch {
     std::ranges::sort(pairs);
     for (const auto& [sum, a, b] : pairs) {
       if (left_ == 0) return false;
-      if (meeting(i, a, j, b)) continue;
+      if (encounter(i, a, j, b)) continue;
       chosen_[i] = a;
       chosen_[j] = b;
       return true;
@@ -254,9 +255,9 @@ class JointSearch {
   }
 
   const JointProblem& problem_;
-  std::size_t left_;  // meetings that may still be looked at
+  std::size_t left_;  // encounters that may still be looked at
   std::vector<std::vector<JointChoice>> pools_;
-  std::unordered_map<std::uint64_t, std::optional<PlanMeeting>> meetings_;
+  std::unordered_map<std::uint64_t, std::optional<PlanEncounter>> encounters_;
   std::vector<std::size_t> chosen_, best_;
   std::size_t best_conflicts_ = SIZE_MAX;
   double best_cost_ = 0;
@@ -264,8 +265,8 @@ class JointSearch {
 
 }  // namespace
 
-JointSolution solve_jointly(const JointProblem& problem, std::size_t max_meetings) {
-  return JointSearch(problem, max_meetings).run();
+JointSolution solve_jointly(const JointProblem& problem, std::size_t max_encounters) {
+  return JointSearch(problem, max_encounters).run();
 }
 
 }  // namespace skein::reasoning

@@ -19,7 +19,7 @@ struct JointProblem {
   std::vector<Member> members;
   std::vector<Separation> kept;  ///< of members i and j, at i * members.size() + j
   double begin = 0;              ///< no flight changes before [s]
-  double look_until = 0;         ///< meetings after it do not count [s]
+  double look_until = 0;         ///< encounters after it do not count [s]
   /// Whether zones and ground leave a flight free; empty: they do.
   std::function<bool(const FlightPlan&)> is_free;
 };
@@ -49,9 +49,9 @@ struct JointSolution {
 /// A* over joint states without a lower bound of what is to come, as [Sislak11] has it,
 /// does not end within the time for more than a few members.
 ///
-/// @param max_meetings  pairs of flights that are looked at, at most: some 5 us each.
+/// @param max_encounters  pairs of flights that are looked at, at most: some 5 us each.
 /// @returns  the best that was found: the least conflicts, of these the least cost.
 /// Reference: spec/team.md section 7.
-JointSolution solve_jointly(const JointProblem& problem, std::size_t max_meetings);
+JointSolution solve_jointly(const JointProblem& problem, std::size_t max_encounters);
 
 }  // namespace skein::reasoning

@@ -10,7 +10,7 @@ namespace skein::reasoning {
 namespace {
 
 constexpr double kPerMetre = 0.05;            // up or down [s/m]
-constexpr double kEarlier = 1e4;              // meeting a third one [s]
+constexpr double kEarlier = 1e4;              // encounter a third one [s]
 constexpr double kSoon = 60, kSoonTime = 30;  // [s]
 constexpr double kLater = 8;                  // [s]
 
@@ -33,9 +33,9 @@ double climbed(const FlightPlan& plan) {
 
 }  // namespace
 
-double cost_of_meeting(const PlanMeeting& meeting, double conflict) {
-  if (meeting.begin < conflict) return kEarlier;
-  return meeting.begin < conflict + kSoonTime ? kSoon : kLater;
+double cost_of_encounter(const PlanEncounter& encounter, double conflict) {
+  if (encounter.begin < conflict) return kEarlier;
+  return encounter.begin < conflict + kSoonTime ? kSoon : kLater;
 }
 
 double cost_of_climbs(const FlightPlan& flight) {
@@ -66,17 +66,17 @@ std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double stren
   return all;
 }
 
-std::size_t add_meetings(std::span<Candidate> all, const ConflictOfFlight& conflict,
-                         std::span<const KnownFlight> others, double look_until) {
+std::size_t add_encounters(std::span<Candidate> all, const ConflictOfFlight& conflict,
+                           std::span<const KnownFlight> others, double look_until) {
   if (others.empty() || look_until <= conflict.begin) return 0;
   FlightEnvelope room(conflict.begin, look_until);
   for (const Candidate& each : all) room.add(each.flight);
   const std::vector<KnownFlight> near = near_flights(room, others);
   for (Candidate& each : all)
     for (const KnownFlight& other : near)
-      if (const auto meeting = first_meeting(each.flight, *other.plan, other.separation,
-                                             conflict.begin, look_until))
-        each.cost += cost_of_meeting(*meeting, conflict.meets);
+      if (const auto encounter = first_encounter(
+              each.flight, *other.plan, other.separation, conflict.begin, look_until))
+        each.cost += cost_of_encounter(*encounter, conflict.meets);
   return near.size();
 }
 
@@ -84,7 +84,7 @@ std::vector<Candidate> candidates(const ConflictOfFlight& conflict, double stren
                                   std::span<const KnownFlight> others,
                                   double look_until) {
   std::vector<Candidate> all = candidates(conflict, strength);
-  add_meetings(all, conflict, others, look_until);
+  add_encounters(all, conflict, others, look_until);
   return all;
 }
 

@@ -14,7 +14,7 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kLookOn = 60;  // after `begin`: later meetings are solved later [s]
+constexpr double kLookOn = 60;  // after `begin`: later encounters are solved later [s]
 constexpr double kGain = 2;     // of time, for which the plan is left [s]
 constexpr std::array kStrengths = {1.0, 1.7};
 constexpr std::array kTurns = {20.0, 45.0, 80.0, 130.0};  // [deg]
@@ -59,9 +59,10 @@ std::optional<EvasiveFlight> evasive_flight(
   for (Option& each : all) {
     each.meets = math::kInfinity;
     for (const KnownFlight& other : near)
-      if (const auto meeting = first_meeting(each.flight, *other.plan, other.separation,
-                                             conflict.begin, std::min(until, each.meets)))
-        each.meets = meeting->begin;
+      if (const auto encounter =
+              first_encounter(each.flight, *other.plan, other.separation, conflict.begin,
+                              std::min(until, each.meets)))
+        each.meets = encounter->begin;
   }
   std::ranges::stable_sort(all, [](const Option& a, const Option& b) {
     return a.meets != b.meets ? a.meets > b.meets : a.cost < b.cost;

@@ -9,16 +9,16 @@
 
 namespace skein::reasoning {
 
-/// A flight that puts off the next meeting with others.
+/// A flight that puts off the next encounter with others.
 struct EvasiveFlight {
   FlightPlan flight;
-  double meets = 0;  ///< the first meeting with another flight; infinity: none [s]
+  double meets = 0;  ///< the first encounter with another flight; infinity: none [s]
 };
 
 /// Of the manoeuvres that an aircraft can fly at once (candidates() of the strengths 1
 /// and 1.7, and turns of 20 to 130 degrees to either side),
 /// the one that meets others last: of those that meet nobody within a minute the
-/// cheapest. For when no flight without a meeting has been found in time.
+/// cheapest. For when no flight without an encounter has been found in time.
 ///
 /// @param conflict   what the flight meets; the flight goes to the end of its plan.
 /// @param others     all flights to be kept apart from.

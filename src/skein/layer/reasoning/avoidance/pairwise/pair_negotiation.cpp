@@ -6,9 +6,9 @@
 #include <tuple>
 #include <utility>
 
+#include "skein/layer/reasoning/avoidance/encounter/plan_encounter.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/said_limits.h"
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 #include "skein/model/path/flight_plan.h"
 #include "skein/solve/path/repair.h"
 
@@ -135,8 +135,8 @@ bool PairNegotiation::are_apart(const Pair& pair) const {
   const auto& one = mine_[strength_].flights[pair.own];
   const auto& other = theirs_[strength_].flights[pair.other];
   return one && other &&
-         !first_meeting(*one, *other, conflict_.separation, conflict_.begin,
-                        conflict_.look_until);
+         !first_encounter(*one, *other, conflict_.separation, conflict_.begin,
+                          conflict_.look_until);
 }
 
 std::optional<PairNegotiation::Pair> PairNegotiation::deal() const {

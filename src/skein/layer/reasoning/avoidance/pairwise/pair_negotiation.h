@@ -34,7 +34,7 @@ struct NegotiatedConflict {
   NegotiationName name;
   double begin = 0, meets = 0, closest = 0, apart = 0;  ///< [s]
   Separation separation;                                ///< that the two have to keep
-  double look_until = 0;           ///< meetings after it do not count [s]
+  double look_until = 0;           ///< encounters after it do not count [s]
   double delay = 0;                ///< of messages between the two, one way [s]
   DealRule deal = DealRule::kSum;  ///< by which the own aircraft agrees
 };

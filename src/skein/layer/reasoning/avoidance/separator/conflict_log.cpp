@@ -17,11 +17,11 @@ void ConflictLog::see(Time now, std::span<const Conflict> conflicts) {
   for (const Conflict& conflict : conflicts) {
     const auto [at, first] = open_.try_emplace(conflict.other);
     Open& open = at->second;
-    const Time closest = Time::from_seconds(conflict.meeting.closest_time);
+    const Time closest = Time::from_seconds(conflict.encounter.closest_time);
     if (first) {
       open.report.other = conflict.other;
       open.report.seen = now;
-      open.report.meets = Time::from_seconds(conflict.meeting.begin);
+      open.report.meets = Time::from_seconds(conflict.encounter.begin);
       open.report.outcome = kNotSolved;
       open.report.flown_ratio = 1e3;
       open.closest = closest;
@@ -32,7 +32,7 @@ void ConflictLog::see(Time now, std::span<const Conflict> conflicts) {
     }
     open.last_seen = now;
     open.closest = std::max(open.closest, closest);
-    open.report.planned_ratio = conflict.meeting.min_ratio;
+    open.report.planned_ratio = conflict.encounter.min_ratio;
   }
   for (auto at = open_.begin(); at != open_.end();) {
     Open& open = at->second;

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "skein/base/math.h"
-#include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
+#include "skein/layer/reasoning/avoidance/encounter/flight_envelope.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/model/path/flight_code.h"
 #include "skein/model/path/flight_plan.h"
@@ -92,8 +92,8 @@ void Separator::step(const SeparationStep& step, const WantedFlight& wanted,
   open_earliest(step);
   open_group(step);
   negotiate(step);
-  yielding_.step(step.now, answers_);
-  avoid_strangers(step);
+  right_of_way_.step(step.now, answers_);
+  avoid_intruders(step);
   inbox_.clear();
   say(step, out);
 }
@@ -157,7 +157,7 @@ bool Separator::solve(const SeparationStep& step, const Conflict& conflict) {
     case SeparationMethod::kLastMoment:
       return by_evasion(step, conflict) ||
              (step.now >= last_moment_until_ && at_the_last_moment(step, conflict));
-    case SeparationMethod::kNonCooperative:  // avoid_strangers()
+    case SeparationMethod::kNonCooperative:  // avoid_intruders()
     case SeparationMethod::kNone:
     case SeparationMethod::kAuto:
       break;
@@ -264,7 +264,7 @@ bool Separator::meets_others(const FlightPlan& plan, Time now) const {
   room.add(plan);
   return std::ranges::any_of(known_but(self_, now), [&](const KnownFlight& other) {
     return room.may_meet(*other.plan, other.separation) &&
-           first_meeting(plan, *other.plan, other.separation, from, until);
+           first_encounter(plan, *other.plan, other.separation, from, until);
   });
 }
 

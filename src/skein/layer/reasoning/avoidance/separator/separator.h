@@ -18,11 +18,11 @@
 #include "skein/layer/reasoning/avoidance/group/conflict_group.h"
 #include "skein/layer/reasoning/avoidance/group/group_negotiation.h"
 #include "skein/layer/reasoning/avoidance/group/joint_search.h"
+#include "skein/layer/reasoning/avoidance/intruders/intruder_avoidance.h"
 #include "skein/layer/reasoning/avoidance/pairwise/pair_negotiation.h"
+#include "skein/layer/reasoning/avoidance/right_of_way/right_of_way.h"
 #include "skein/layer/reasoning/avoidance/rules/right_of_way.h"
 #include "skein/layer/reasoning/avoidance/separator/conflict_log.h"
-#include "skein/layer/reasoning/avoidance/strangers/stranger_avoidance.h"
-#include "skein/layer/reasoning/avoidance/yielding/yielding.h"
 #include "skein/role/path_planner.h"
 
 namespace skein::reasoning {
@@ -44,8 +44,8 @@ struct SeparationOptions {
   /// Which deal it asks for where two agree (deal_rule_of()).
   DealRule deal = DealRule::kSum;
   double holding_step = 60;  ///< between the heights of two that wait to land [m]
-  StrangerRoom stranger_room = StrangerRoom::kMoving;  ///< kept free of the own flight
-  /// By which alerts about strangers are given and bands made; null: skein_suas.
+  IntruderRoom intruder_room = IntruderRoom::kMoving;  ///< kept free of the own flight
+  /// By which alerts about intruders are given and bands made; null: skein_suas.
   std::shared_ptr<const model::WellClearConfiguration> well_clear = {};
 };
 
@@ -76,11 +76,11 @@ struct SeparationStep {
   const PathQuery& query;
   std::span<const Zone> zones;  ///< no-fly
   /// Tracks of those who do not belong to the team.
-  std::span<const Stranger> strangers = {};
+  std::span<const AvoidedIntruder> intruders = {};
   /// Another flight would not be flown: a pilot or a failsafe flies, or it lands.
   bool keeps_on = false;
   /// A pilot has not flown what kept apart from the team: nothing else is tried for now,
-  /// but to keep out of the way of strangers, who do not hear of it.
+  /// but to keep out of the way of intruders, who do not hear of it.
   bool is_ignored = false;
 };
 
@@ -104,8 +104,8 @@ class Separator {
       : self_(self),
         options_(options),
         team_(options.horizon, options.place_period),
-        yielding_(self),
-        strangers_(options.reaction, options.well_clear.get()) {}
+        right_of_way_(self),
+        intruders_(options.reaction, options.well_clear.get()) {}
 
   /// Takes in what was received. At each step, on the ground too.
   void listen(Time now, std::span<const Message> inbox);
@@ -163,7 +163,7 @@ class Separator {
   double loss() const { return team_.loss(); }
   double delay() const;
 
-  /// What is flown instead of a plan, out of a stranger's way.
+  /// What is flown instead of a plan, out of an intruder's way.
   const std::optional<Heading>& turn() const { return turn_; }
 
   /// Why the flight is another than wanted; empty: it is not.
@@ -229,7 +229,7 @@ class Separator {
   void fly_with_group(const GroupNegotiation& agreed, Time now);
   void leave_group();
 
-  // Of the order of two (separator_yielding.cpp).
+  // Of the order of two (separator_right_of_way.cpp).
   const Conflict* lowest_in_the_way(Time now) const;
   void ask_to_yield(const SeparationStep& step);
   void hear_answer(Time now, EntityId from, const YieldAnswer& answer);
@@ -237,8 +237,8 @@ class Separator {
   bool gives_way_to(const SeparationStep& step, const TeamFlight& other,
                     const YieldRequest& request);
 
-  // Of those who say nothing (separator_strangers.cpp).
-  void avoid_strangers(const SeparationStep& step);
+  // Of those who say nothing (separator_intruders.cpp).
+  void avoid_intruders(const SeparationStep& step);
   std::optional<double> climb_from_team(const SeparationStep& step, double course) const;
 
   // Of what each does alone (separator_methods.cpp).
@@ -284,7 +284,7 @@ class Separator {
   EntityId self_;
   SeparationOptions options_;
   TeamFlights team_;
-  Yielding yielding_;
+  RightOfWay right_of_way_;
   ConflictFinder finder_;
   ExecutionErrors errors_;
   ConflictLog log_;
@@ -299,7 +299,7 @@ class Separator {
   double held_from_ = std::numeric_limits<double>::infinity();  // see WantedFlight [s]
   std::string_view reason_;
   Time last_moment_until_;
-  StrangerAvoidance strangers_;
+  IntruderAvoidance intruders_;
   std::optional<Heading> turn_;
   std::optional<PairNegotiation> negotiation_, last_;  // that goes on, the one before
   ConflictGroups groups_;

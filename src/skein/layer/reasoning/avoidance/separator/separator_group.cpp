@@ -15,9 +15,9 @@ namespace skein::reasoning {
 namespace {
 
 constexpr std::size_t kMaxMembers = 12;
-constexpr std::size_t kMaxMeetings = 30000;  // pairs of flights looked at by a group
-constexpr double kRoundTrips = 4;      // invitation, joining, plan, acceptance; and again
-constexpr double kGroupLookOn = 60;    // beyond the horizon, for meetings that count [s]
+constexpr std::size_t kMaxEncounters = 30000;  // pairs of flights looked at by a group
+constexpr double kRoundTrips = 4;    // invitation, joining, plan, acceptance; and again
+constexpr double kGroupLookOn = 60;  // beyond the horizon, for encounters that count [s]
 constexpr double kBeforeConflict = 1;  // what is agreed on begins [s]
 constexpr double kGathering =
     2;  // until plans of all that have changed theirs are here [s]
@@ -105,7 +105,7 @@ void Separator::open_group(const SeparationStep& step) {
   invitation.begin = static_cast<float>(now + options_.reaction +
                                         kRoundTrips * (2 * delay + kAgentStep));
   invitation.apart = static_cast<float>(found.apart);
-  if (invitation.begin + kBeforeConflict > first->meeting.begin ||
+  if (invitation.begin + kBeforeConflict > first->encounter.begin ||
       invitation.begin >= model::end_time_of(own_.plan) ||
       invitation.apart <= invitation.begin)
     return;
@@ -150,7 +150,7 @@ std::optional<std::vector<GroupManoeuvre>> Separator::solve_group(
   }
   FlightCheck check(step.query, step.zones);
   problem.is_free = [&](const FlightPlan& flight) { return check.is_free(flight); };
-  const JointSolution solution = solve_jointly(problem, kMaxMeetings);
+  const JointSolution solution = solve_jointly(problem, kMaxEncounters);
   std::vector<GroupManoeuvre> manoeuvres;
   for (std::size_t i = 0; i < n; ++i) {
     const JointChoice& choice = solution.choices[i];

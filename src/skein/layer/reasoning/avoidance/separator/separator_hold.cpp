@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
+#include "skein/layer/reasoning/avoidance/encounter/flight_envelope.h"
+#include "skein/layer/reasoning/avoidance/encounter/plan_encounter.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/model/path/flight_plan.h"
@@ -30,7 +30,7 @@ bool Separator::meets(const FlightPlan& plan, Time now, const Separation& more) 
     const Separation kept{other.separation.horizontal + more.horizontal,
                           other.separation.vertical + more.vertical};
     return room.may_meet(*other.plan, kept) &&
-           first_meeting(plan, *other.plan, kept, now.seconds(), kInfinity);
+           first_encounter(plan, *other.plan, kept, now.seconds(), kInfinity);
   });
 }
 
@@ -59,7 +59,7 @@ bool Separator::has_neighbours_in_circles(Time now, const Vec3& p_N) const {
 std::optional<double> Separator::is_to_move(Time now, bool behind_task) const {
   for (const Conflict& conflict : behind_task ? held_conflicts_ : conflicts_) {
     const TeamFlight* other = team_.find(conflict.other);
-    if (other && !has_way_over(*other, now)) return conflict.meeting.begin;
+    if (other && !has_way_over(*other, now)) return conflict.encounter.begin;
   }
   return std::nullopt;
 }
@@ -70,13 +70,13 @@ void Separator::set_held_conflicts_aside(Time now) {
   held_conflicts_.clear();
   if (now.seconds() >= held_from_) return;
   std::erase_if(conflicts_, [&](const Conflict& conflict) {
-    if (conflict.meeting.begin < held_from_) return false;
+    if (conflict.encounter.begin < held_from_) return false;
     held_conflicts_.push_back(conflict);
     return true;
   });
   for (Conflict& each : conflicts_) {
-    each.meeting.end = std::min(each.meeting.end, held_from_);
-    each.meeting.closest_time = std::min(each.meeting.closest_time, held_from_);
+    each.encounter.end = std::min(each.encounter.end, held_from_);
+    each.encounter.closest_time = std::min(each.encounter.closest_time, held_from_);
   }
 }
 
@@ -89,7 +89,7 @@ std::optional<Conflict> Separator::first_to_solve(const SeparationStep& step) co
   for (const Conflict& conflict : finder.find(step.now, own_, team_.flights(), soon)) {
     const TeamFlight* other = team_.find(conflict.other);
     const bool waits = other && has_way_over(*other, step.now) &&
-                       conflict.meeting.begin > now + options_.emergency;
+                       conflict.encounter.begin > now + options_.emergency;
     if (!waits) return conflict;
   }
   return std::nullopt;
@@ -127,9 +127,9 @@ bool Separator::begins(const SeparationStep& step, const WantedFlight& wanted) {
   want(wanted);
   for (int detours = 0;; ++detours) {
     const auto conflict = first_to_solve(step);
-    if (!conflict || (here && here->meeting.begin <= conflict->meeting.begin))
+    if (!conflict || (here && here->encounter.begin <= conflict->encounter.begin))
       return true;
-    if (detours == kDetours || conflict->meeting.begin >= held_from_ ||
+    if (detours == kDetours || conflict->encounter.begin >= held_from_ ||
         !around_others(step, *conflict, false, "begins around others"))
       break;
   }

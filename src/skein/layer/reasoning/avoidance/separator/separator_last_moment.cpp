@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 
+#include "skein/layer/reasoning/avoidance/encounter/plan_encounter.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/manoeuvred_flight.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/model/path/climb_profile.h"
@@ -34,7 +34,7 @@ double kept_by(const FlightPlan& flight, std::span<const KnownFlight> others, do
   double least = 1;
   for (const KnownFlight& other : others)
     if (const auto met =
-            first_meeting(flight, *other.plan, other.separation, from, until))
+            first_encounter(flight, *other.plan, other.separation, from, until))
       least = std::min(least, met->min_ratio);
   return least;
 }
@@ -81,7 +81,7 @@ bool Separator::at_the_last_moment(const SeparationStep& step, const Conflict& c
   if (!expected.plan) return false;
   const double now = step.now.seconds();
   const bool up =
-      climbs_away(step, *other, *expected.plan, conflict.meeting.closest_time);
+      climbs_away(step, *other, *expected.plan, conflict.encounter.closest_time);
   const std::vector<KnownFlight> others = known_but(self_, step.now);  // all others
   FlightCheck check(step.query, step.zones);
   std::optional<FlightPlan> best;
@@ -89,7 +89,8 @@ bool Separator::at_the_last_moment(const SeparationStep& step, const Conflict& c
   for (const double turn : kTurns) {
     auto flight = flight_aside(step, conflict, geo::radians(turn), up);
     if (!flight) continue;
-    const double kept = kept_by(*flight, others, now, conflict.meeting.end + kClearTime);
+    const double kept =
+        kept_by(*flight, others, now, conflict.encounter.end + kClearTime);
     // No turn leads into a zone or the ground.
     if (best && (kept < most + kWorthATurn || !check.is_free(*flight))) continue;
     best = std::move(flight);
@@ -97,9 +98,9 @@ bool Separator::at_the_last_moment(const SeparationStep& step, const Conflict& c
   }
   if (!best) return false;
   last_moment_until_ = Time::from_seconds(
-      std::min(conflict.meeting.closest_time + kClearTime, now + kLongest));
+      std::min(conflict.encounter.closest_time + kClearTime, now + kLongest));
   adopt(*best,
-        {now, rejoins(conflict.meeting.end + kRejoinsAfter), conflict.meeting.end,
+        {now, rejoins(conflict.encounter.end + kRejoinsAfter), conflict.encounter.end,
          SeparationMethod::kLastMoment, conflict.other, 0,
          up ? "climbs away at the last moment" : "sinks away at the last moment"},
         step.now);
@@ -121,7 +122,7 @@ std::optional<FlightPlan> Separator::flight_aside(const SeparationStep& step,
   const double lasts =
       model::climb_time(std::abs(climb), rate, own.limits.climb_acceleration);
   const double apart =
-      std::clamp(conflict.meeting.closest_time, now, now + kLongest) + lasts;
+      std::clamp(conflict.encounter.closest_time, now, now + kLongest) + lasts;
   ConflictOfFlight of_flight{part, own.limits, now, now, now, apart, conflict.separation};
   const auto level =
       turned_on_flight(of_flight, {step.p_N, step.v_N}, turn, apart + kClearTime - now);

@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 
+#include "skein/layer/reasoning/avoidance/encounter/plan_encounter.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/evasive_flight.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/replanned_flight.h"
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 #include "skein/layer/reasoning/avoidance/rules/rule_flight.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
@@ -37,7 +37,7 @@ constexpr std::array kOwnStrengths = {1.0, 1.7, 3.0};
 // Until when a flight because of a conflict has to be apart from others: the conflict
 // itself may come long after its begin.
 double apart_until(const Conflict& conflict, double begin) {
-  return std::max(begin + kApartFor, conflict.meeting.end + kApartMore);
+  return std::max(begin + kApartFor, conflict.encounter.end + kApartMore);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ double apart_until(const Conflict& conflict, double begin) {
 // still be reached, and again once; only then does one of the two act alone.
 SeparationMethod Separator::method_for(const Conflict& conflict, Time now) const {
   if (options_.method != SeparationMethod::kAuto) return options_.method;
-  const double left = conflict.meeting.begin - now.seconds();
+  const double left = conflict.encounter.begin - now.seconds();
   const double negotiating = kBudget + 4 * (2 * delay_to(conflict.other) + kAgentStep);
   const bool alone = conflicts_.size() < kGroupFrom;
   const TeamFlight* other = team_.find(conflict.other);
@@ -77,8 +77,8 @@ Standing Separator::standing_to(const TeamFlight& other, Time now) const {
 bool Separator::has_way_over(const TeamFlight& other, Time now) const {
   if (!other.conforms(now)) return false;
   if (priority_ != other.priority) return priority_ > other.priority;
-  if (yielding_.yields_to(other.who, now)) return false;
-  return self_ < other.who || yielding_.other_yields(other.who, now);
+  if (right_of_way_.yields_to(other.who, now)) return false;
+  return self_ < other.who || right_of_way_.other_yields(other.who, now);
 }
 
 NegotiatedConflict Separator::about(const Conflict& conflict, double begin) const {
@@ -86,29 +86,29 @@ NegotiatedConflict Separator::about(const Conflict& conflict, double begin) cons
   about.self = self_;
   about.other = conflict.other;
   about.begin = begin;
-  about.meets = conflict.meeting.begin;
-  about.closest = conflict.meeting.closest_time;
-  about.apart = conflict.meeting.end;
+  about.meets = conflict.encounter.begin;
+  about.closest = conflict.encounter.closest_time;
+  about.apart = conflict.encounter.end;
   about.separation = conflict.separation;
   return about;
 }
 
 double Separator::begin_of_action(const Conflict& conflict, Time now) const {
-  const double left = conflict.meeting.begin - now.seconds();
+  const double left = conflict.encounter.begin - now.seconds();
   return now.seconds() + std::min(options_.reaction, left / 2);
 }
 
 // The own plan, to be left because of a conflict and met again behind it.
 NegotiatingFlight Separator::leaving_for(const Conflict& conflict,
                                          const PathQuery& query) const {
-  return {own_.plan, rejoins(conflict.meeting.end + kRejoinsAfter), query.limits};
+  return {own_.plan, rejoins(conflict.encounter.end + kRejoinsAfter), query.limits};
 }
 
 // Each by the rules of the air, whatever the other does.
 bool Separator::by_rule(const SeparationStep& step, const Conflict& conflict) {
   const TeamFlight* other = team_.find(conflict.other);
   if (!other) return false;
-  const double now = step.now.seconds(), left = conflict.meeting.begin - now;
+  const double now = step.now.seconds(), left = conflict.encounter.begin - now;
   const TeamFlight::Expected expected = other->expected(step.now);
   if (!expected.plan) return false;
   const model::FlightMoment theirs = model::moment_at(*expected.plan, now);
@@ -130,7 +130,7 @@ bool Separator::by_rule(const SeparationStep& step, const Conflict& conflict) {
         rule, of_flight, [&](const Manoeuvre& m) { return flight_with(m, own, c); },
         [&](const FlightPlan& plan) {
           const auto meets = [&](const FlightPlan& flown, const Separation& kept) {
-            return first_meeting(plan, flown, kept, begin, until).has_value();
+            return first_encounter(plan, flown, kept, begin, until).has_value();
           };
           if (meets(*expected.plan, c.separation)) return false;
           if (among_others && std::ranges::any_of(thirds, [&](const KnownFlight& third) {
@@ -146,7 +146,7 @@ bool Separator::by_rule(const SeparationStep& step, const Conflict& conflict) {
   if (!flight) flight = fly(false);
   if (!flight) return false;
   adopt(*flight,
-        {begin, own.rejoins, conflict.meeting.end, SeparationMethod::kRule,
+        {begin, own.rejoins, conflict.encounter.end, SeparationMethod::kRule,
          conflict.other, 0, name_of(rule)},
         step.now);
   return true;
@@ -194,15 +194,15 @@ std::vector<PlannedFlight> Separator::rooms(const SeparationStep& step,
 bool Separator::around_others(const SeparationStep& step, const Conflict& conflict,
                               bool higher_only, std::string_view what) {
   const double begin = begin_of_action(conflict, step.now);
-  const double until = rejoins(conflict.meeting.end + kRejoinsAfter);
+  const double until = rejoins(conflict.encounter.end + kRejoinsAfter);
   Airspace airspace;
   airspace.zones.assign(step.zones.begin(), step.zones.end());
   airspace.flights = rooms(step, higher_only);
   const auto flight = replanned(own_.plan, begin, until, step.query, airspace);
   if (!flight) return false;
   adopt(*flight,
-        {begin, until, conflict.meeting.end, SeparationMethod::kPriority, conflict.other,
-         0, what},
+        {begin, until, conflict.encounter.end, SeparationMethod::kPriority,
+         conflict.other, 0, what},
         step.now);
   return true;
 }
@@ -232,13 +232,13 @@ bool Separator::apart_from_others(const SeparationStep& step, const Conflict& co
       if (each.manoeuvre.kind == ManoeuvreKind::kGoOn) continue;
       const auto flight = flight_with(each.manoeuvre, own, c);
       if (!flight || std::ranges::any_of(others, [&](const KnownFlight& other) {
-            return first_meeting(*flight, *other.plan, other.separation, begin, until)
+            return first_encounter(*flight, *other.plan, other.separation, begin, until)
                 .has_value();
           }))
         continue;
       if (!check.is_free(*flight)) continue;
       adopt(*flight,
-            {begin, own.rejoins, conflict.meeting.end, SeparationMethod::kPriority,
+            {begin, own.rejoins, conflict.encounter.end, SeparationMethod::kPriority,
              conflict.other, 0, what.empty() ? name_of(each.manoeuvre.kind) : what},
             step.now);
       return true;
@@ -247,11 +247,11 @@ bool Separator::apart_from_others(const SeparationStep& step, const Conflict& co
   return false;
 }
 
-// Puts off the meeting where none can be solved any more: the lower one of the two, and
+// Puts off the encounter where none can be solved any more: the lower one of the two, and
 // when little time is left each of them.
 bool Separator::by_evasion(const SeparationStep& step, const Conflict& conflict) {
   const TeamFlight* other = team_.find(conflict.other);
-  const double left = conflict.meeting.begin - step.now.seconds();
+  const double left = conflict.encounter.begin - step.now.seconds();
   if (!other || left > kEvades || (left > kBothEvade && has_way_over(*other, step.now)))
     return false;
   const double begin = begin_of_action(conflict, step.now);
@@ -260,17 +260,17 @@ bool Separator::by_evasion(const SeparationStep& step, const Conflict& conflict)
   if (part.empty()) return false;
   FlightCheck check(step.query, step.zones);
   const std::vector<KnownFlight> others = known_but(self_, step.now);  // all others
-  const PlanMeeting& meeting = conflict.meeting;
+  const PlanEncounter& encounter = conflict.encounter;
   auto evasive = evasive_flight(
-      {part, own.limits, begin, std::max(begin, meeting.begin),
-       std::max(begin, meeting.closest_time), std::max(begin, meeting.end),
+      {part, own.limits, begin, std::max(begin, encounter.begin),
+       std::max(begin, encounter.closest_time), std::max(begin, encounter.end),
        conflict.separation},
       others, [&](const FlightPlan& flight) { return check.is_free(flight); });
   if (!evasive) return false;
   append_rest(evasive->flight, own_.plan, own.rejoins);
   adopt(evasive->flight,
-        {begin, own.rejoins, meeting.end, SeparationMethod::kPriority, conflict.other, 0,
-         "evades"},
+        {begin, own.rejoins, encounter.end, SeparationMethod::kPriority, conflict.other,
+         0, "evades"},
         step.now);
   return true;
 }

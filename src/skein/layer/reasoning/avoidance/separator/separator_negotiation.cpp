@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "skein/layer/reasoning/avoidance/encounter/flight_envelope.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/flight_check.h"
-#include "skein/layer/reasoning/avoidance/meeting/flight_envelope.h"
 #include "skein/layer/reasoning/avoidance/separator/separator.h"
 #include "skein/layer/reasoning/avoidance/separator/separator_common.h"
 #include "skein/model/path/flight_plan.h"
@@ -14,7 +14,7 @@
 namespace skein::reasoning {
 namespace {
 
-constexpr double kLookOn = 60;  // beyond the horizon, for meetings that count [s]
+constexpr double kLookOn = 60;  // beyond the horizon, for encounters that count [s]
 constexpr double kMinTime = 1;  // between a manoeuvre's begin and the conflict [s]
 
 bool makes_sense(const ConflictNotice& notice, double now, double horizon) {
@@ -141,14 +141,14 @@ bool Separator::is_next_for(const TeamFlight& other, const Conflict& conflict, T
     waiting.asks_at = now.seconds() + kAskAnyway;
   }
   if (now.seconds() >= waiting.asks_at) return true;
-  const double until = conflict.meeting.begin;
+  const double until = conflict.encounter.begin;
   FlightEnvelope room(now.seconds(), until);
   room.add(other.plan);
   for (const TeamFlight& third : team_.flights()) {
     if (third.who == other.who || !third.conforms(now)) continue;
     const Separation kept = separation_between(other, third);
     if (room.may_meet(third.plan, kept) &&
-        first_meeting(other.plan, third.plan, kept, now.seconds(), until))
+        first_encounter(other.plan, third.plan, kept, now.seconds(), until))
       return false;
   }
   return true;
@@ -164,17 +164,17 @@ bool Separator::open(const SeparationStep& step, const Conflict& conflict) {
     return false;
   if (!is_next_for(*other, conflict, step.now)) return false;
   const double begin = now + options_.reaction + 3 * other->delay;
-  if (begin + kMinTime > conflict.meeting.begin ||
+  if (begin + kMinTime > conflict.encounter.begin ||
       begin >= model::end_time_of(own_.plan) || begin >= model::end_time_of(other->plan))
     return false;
-  const PlanMeeting& meeting = conflict.meeting;
+  const PlanEncounter& encounter = conflict.encounter;
   const ConflictNotice notice{++opened_,
                               own_.number,
                               other->number,
                               static_cast<float>(begin),
-                              static_cast<float>(meeting.begin),
-                              static_cast<float>(meeting.closest_time),
-                              static_cast<float>(meeting.end),
+                              static_cast<float>(encounter.begin),
+                              static_cast<float>(encounter.closest_time),
+                              static_cast<float>(encounter.end),
                               static_cast<float>(conflict.separation.horizontal),
                               static_cast<float>(conflict.separation.vertical)};
   if (!makes_sense(notice, now, options_.horizon)) return false;

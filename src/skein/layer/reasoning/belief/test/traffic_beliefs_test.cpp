@@ -142,7 +142,7 @@ TEST(TrafficBeliefs, CountNobodyOfTheTeamWhateverFindsIt) {
                                    [](const TrafficBelief& each) { return each.firm; }));
 }
 
-TEST(TrafficBeliefs, SeeAStrangerBesideAMemberAndOneWithItsAddress) {
+TEST(TrafficBeliefs, SeeAnIntruderBesideAMemberAndOneWithItsAddress) {
   Listener run;
   const Vec3 v_N(20, 0, 0);
   for (int k = 0; k < 60; ++k) {
@@ -164,15 +164,15 @@ TEST(TrafficBeliefs, SeeAStrangerBesideAMemberAndOneWithItsAddress) {
   EXPECT_EQ(forger, 1);
 }
 
-TEST(TrafficBeliefs, SeeAStrangerInTheSectorOfAMember) {
+TEST(TrafficBeliefs, SeeAnIntruderInTheSectorOfAMember) {
   // A coarse detector finds both in one direction: one of its two contacts is the
   // member's.
   Listener run;
   for (int k = 0; k < 30; ++k) {
     const NavEstimate own = own_at(k);
     std::vector<SensorSample> heard;
-    const Vec3 member(600, 0, -150), stranger(1400, 100, -180);
-    for (const Vec3& other : {member, stranger}) {
+    const Vec3 member(600, 0, -150), intruder(1400, 100, -180);
+    for (const Vec3& other : {member, intruder}) {
       const Vec3 away = other - own.p_N;
       TransponderContact contact{s(k)};
       contact.range = geo::horizontal(away).norm();

@@ -46,7 +46,7 @@ struct TeamPlace {
 /// Measurements of the own team are left out: one with the address of a member, if it is
 /// not far from where that one is; of those without an address, for each member and look
 /// of a source the nearest, if it is where the member is. An address that no member has
-/// is a stranger's, however near to one it flies. A member of which no address is known
+/// is an intruder's, however near to one it flies. A member of which no address is known
 /// takes all that is where it is.
 ///
 /// A track is firm from its third measurement on, and forgotten 10 s after its last.

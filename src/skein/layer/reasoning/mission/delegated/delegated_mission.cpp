@@ -9,7 +9,7 @@
 namespace skein::reasoning {
 
 DelegatedMission::DelegatedMission(std::string name, std::vector<DelegatedTask> tasks,
-                                   std::shared_ptr<TeamDesk> desk)
+                                   std::shared_ptr<TeamServer> desk)
     : name_(std::move(name)), tasks_(std::move(tasks)), desk_(std::move(desk)) {}
 
 void DelegatedMission::step(const AgentInput& in, AgentOutput& out) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/layer/reasoning/team/onboard/team_desk.h"
+#include "skein/layer/reasoning/team/onboard/team_server.h"
 #include "skein/role/mission.h"
 
 namespace skein::reasoning {
@@ -27,7 +27,7 @@ class DelegatedMission final : public Mission {
   /// @param tasks  in the order in which they are added.
   /// @param desk   the station's, shared by its missions of this kind.
   DelegatedMission(std::string name, std::vector<DelegatedTask> tasks,
-                   std::shared_ptr<TeamDesk> desk);
+                   std::shared_ptr<TeamServer> desk);
 
   void step(const AgentInput& in, AgentOutput& out) override;
   MissionDemand demand() const override;
@@ -41,7 +41,7 @@ class DelegatedMission final : public Mission {
   std::string name_;
   std::vector<DelegatedTask> tasks_;
   std::size_t handed_in_ = 0;
-  std::shared_ptr<TeamDesk> desk_;
+  std::shared_ptr<TeamServer> desk_;
   std::optional<Time> begun_;
   std::vector<std::uint32_t> numbers_;  // of those handed in
 };

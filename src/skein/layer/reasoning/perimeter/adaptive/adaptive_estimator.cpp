@@ -9,17 +9,17 @@ namespace {
 
 // The mean of 20 squared standard normal numbers stays below this 19 times of 20: only
 // beyond is a belief taken for too narrow.
-constexpr double kHonestSquare = 1.57;
+constexpr double kConsistentSquare = 1.57;
 constexpr std::size_t kMinCrossings = 10;  // before a record says anything
 constexpr std::size_t kFullRecord = 20;    // crossings by which joint is suspected
 // One honest record of 20 crossings in 300 has a larger mean square.
 constexpr double kSuspectSquare = 2;
 
 template <class Watched>
-BoundaryEstimate honest_boundary(const Watched& watched) {
+BoundaryEstimate consistent_boundary(const Watched& watched) {
   BoundaryEstimate boundary = watched.estimator.boundary();
   if (watched.forecasts.recent() < kMinCrossings) return boundary;
-  const double missing = watched.forecasts.mean_square() / kHonestSquare;
+  const double missing = watched.forecasts.mean_square() / kConsistentSquare;
   if (missing <= 1) return boundary;
   for (auto& ring : boundary.rings)
     for (BoundaryPoint& point : ring) point.sigma *= std::sqrt(missing);
@@ -123,8 +123,8 @@ void AdaptiveEstimator::decide() {
 }
 
 BoundaryEstimate AdaptiveEstimator::boundary() const {
-  if (!joint_) return honest_boundary(*ensemble_);
-  BoundaryEstimate boundary = honest_boundary(*joint_);
+  if (!joint_) return consistent_boundary(*ensemble_);
+  BoundaryEstimate boundary = consistent_boundary(*joint_);
   unwatched_.widen(boundary);
   return boundary;
 }

@@ -13,7 +13,8 @@ constexpr double kEvery = 100;      // a forecast is kept [s]
 constexpr double kNear = 300;       // a crossing shows the boundary around it [m]
 // Gains towards larger and smaller errors: the expectile of level 0.05/(0.05 + 0.02).
 constexpr double kGainUp = 0.05, kGainDown = 0.02;
-constexpr double kHonestSquare = 1.6;  // what it is for squared standard normal numbers
+constexpr double kConsistentSquare =
+    1.6;  // what it is for squared standard normal numbers
 
 }  // namespace
 
@@ -52,7 +53,7 @@ bool UnwatchedBand::seen(const Vec2& place, Time from, Time until) const {
 }
 
 double UnwatchedBand::factor() const {
-  return std::sqrt(std::max(1.0, square_ / kHonestSquare));
+  return std::sqrt(std::max(1.0, square_ / kConsistentSquare));
 }
 
 void UnwatchedBand::widen(BoundaryEstimate& boundary) const {

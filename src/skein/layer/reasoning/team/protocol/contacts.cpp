@@ -45,8 +45,8 @@ bool is_sane(const TeamTask& task) {
 bool is_sane(const TeamProgress& progress) {
   return progress.share >= 0 && progress.share <= 1;
 }
-bool is_sane(const TeamMeeting& meeting) {
-  return meeting.lower < meeting.higher;
+bool is_sane(const TeamEncounter& encounter) {
+  return encounter.lower < encounter.higher;
 }
 bool is_sane(const EntityId&) {
   return true;
@@ -90,11 +90,11 @@ struct Sane {
            is_sane(m.met) && is_sane(m.tasks);
   }
   bool operator()(const TeamMerge& m) const {
-    return is_sane(m.mission) && is_sane(m.meeting) && is_sane(m.members);
+    return is_sane(m.mission) && is_sane(m.encounter) && is_sane(m.members);
   }
   bool operator()(const TeamSplit& m) const {
     return m.part < m.parts && m.parts <= kMaxItems && is_sane(m.mission) &&
-           is_sane(m.meeting) && is_sane(m.tasks);
+           is_sane(m.encounter) && is_sane(m.tasks);
   }
   bool operator()(const TeamBids& m) const {
     return is_sane(m.mission) && is_sane(m.bids);

@@ -13,15 +13,15 @@ namespace {
 constexpr int kMerges = 4;  // times that it is said
 constexpr std::size_t kTasksInSplit = 8;
 
-TeamMeeting encounter_of(EntityId a, EntityId b, std::uint32_t times) {
+TeamEncounter encounter_of(EntityId a, EntityId b, std::uint32_t times) {
   return {std::min(a, b), std::max(a, b), times};
 }
 
 void send_split(MemberState& member, EntityId other, const TeamMission& mission) {
   std::vector<TeamTask> all;
   for (const auto& [number, task] : member.knowledge.tasks) all.push_back(task);
-  const TeamMeeting encounter =
-      encounter_of(member.self, other, member.knowledge.meetings(member.self, other));
+  const TeamEncounter encounter =
+      encounter_of(member.self, other, member.knowledge.encounters(member.self, other));
   const std::size_t parts =
       std::max<std::size_t>(1, (all.size() + kTasksInSplit - 1) / kTasksInSplit);
   for (std::size_t part = 0; part < parts; ++part) {
@@ -39,7 +39,7 @@ void send_split(MemberState& member, EntityId other, const TeamMission& mission)
 
 // The mission is split: this one's part is another one than before.
 void begin_branch(MemberState& member, EntityId other, const TeamMission& mission,
-                  const TeamMeeting& encounter) {
+                  const TeamEncounter& encounter) {
   member.mission = mission;
   member.knowledge.note(encounter);
   member.allocation_due = true;
@@ -107,7 +107,7 @@ TeamTransition TeamEncounters::meet(MemberState& member, EntityId other,
     return {};
   }
   const bool counts = !self_fresh && !other_fresh;
-  if (!counts || member.knowledge.meetings(self, other) < 1)
+  if (!counts || member.knowledge.encounters(self, other) < 1)
     return yield_to(member, other, counts);
   ask_split(member, other);
   return {};
@@ -125,8 +125,8 @@ bool TeamEncounters::is_held(const MemberState& member) {
 TeamTransition TeamEncounters::yield_to(MemberState& member, EntityId other,
                                         bool counted) {
   const std::uint32_t times =
-      member.knowledge.meetings(member.self, other) + (counted ? 1 : 0);
-  const TeamMeeting encounter = encounter_of(member.self, other, times);
+      member.knowledge.encounters(member.self, other) + (counted ? 1 : 0);
+  const TeamEncounter encounter = encounter_of(member.self, other, times);
   member.knowledge.note(encounter);
   member.outbox.report(EventKind::kTeamMerged,
                        fmt::format("with the team of {}.", other.value),
@@ -144,7 +144,7 @@ void TeamEncounters::ask_split(MemberState& member, EntityId other) {
     send_knowledge(member);
   }
   asked_->last = member.now;
-  const auto times = member.knowledge.meetings(member.self, other) + 1;
+  const auto times = member.knowledge.encounters(member.self, other) + 1;
   member.outbox.send(
       other, TeamMerge{*member.mission, encounter_of(member.self, other, times), true,
                        member.members});
@@ -178,7 +178,7 @@ void TeamEncounters::answer_split(MemberState& member, EntityId other,
   split_with_.insert(other);
   branches.received(other, member.now + member.round_trip);  // until it knows
   branches.received(self, member.now);
-  begin_branch(member, other, {member.mission->name, self}, merge.meeting);
+  begin_branch(member, other, {member.mission->name, self}, merge.encounter);
   send_split(member, other, theirs);
 }
 
@@ -208,7 +208,7 @@ void TeamEncounters::on(MemberState& member, EntityId from, const TeamSplit& spl
   member.outbox.drop_repeated_to(from);
   for (const auto& [number, task] : member.knowledge.tasks)
     if (task.branch) branches.received(*task.branch, member.now);
-  begin_branch(member, from, split.mission, split.meeting);
+  begin_branch(member, from, split.mission, split.encounter);
 }
 
 }  // namespace skein::reasoning

@@ -64,14 +64,14 @@ std::vector<TeamTask> TeamKnowledge::open() const {
   return all;
 }
 
-std::uint32_t TeamKnowledge::meetings(EntityId a, EntityId b) const {
+std::uint32_t TeamKnowledge::encounters(EntityId a, EntityId b) const {
   const auto found = met_.find(pair_of(a, b));
   return found == met_.end() ? 0 : found->second;
 }
 
-void TeamKnowledge::note(const TeamMeeting& meeting) {
-  std::uint32_t& times = met_[pair_of(meeting.lower, meeting.higher)];
-  times = std::max(times, meeting.times);
+void TeamKnowledge::note(const TeamEncounter& encounter) {
+  std::uint32_t& times = met_[pair_of(encounter.lower, encounter.higher)];
+  times = std::max(times, encounter.times);
 }
 
 std::uint32_t TeamKnowledge::number() const {
@@ -100,7 +100,7 @@ TeamState TeamKnowledge::part(std::uint32_t index, std::vector<EntityId> members
 }
 
 void TeamKnowledge::take(const TeamState& state) {
-  for (const TeamMeeting& meeting : state.met) note(meeting);
+  for (const TeamEncounter& encounter : state.met) note(encounter);
   if (incoming_.number != state.number) incoming_ = {state.number, {}};
   incoming_.parts[state.part] = state.tasks;
   if (incoming_.parts.size() < state.parts) return;
@@ -138,7 +138,7 @@ void TeamKnowledge::forget_leader() {
 
 bool TeamKnowledge::add(const TeamState& state, std::optional<EntityId> branch) {
   const std::uint32_t before = number();
-  for (const TeamMeeting& meeting : state.met) note(meeting);
+  for (const TeamEncounter& encounter : state.met) note(encounter);
   for (const TeamTask& task : state.tasks) {
     const auto [place, is_new] = tasks.try_emplace(task.number, task);
     if (!is_new) learn(place->second, task);

@@ -33,9 +33,9 @@ class TeamKnowledge {
   std::vector<TeamTask> open() const;
 
   /// How often two leaders have met.
-  std::uint32_t meetings(EntityId a, EntityId b) const;
-  /// The larger number of meetings counts.
-  void note(const TeamMeeting& meeting);
+  std::uint32_t encounters(EntityId a, EntityId b) const;
+  /// The larger number of encounters counts.
+  void note(const TeamEncounter& encounter);
 
   /// Of the tasks: the same in whoever knows the same.
   std::uint32_t number() const;
@@ -60,7 +60,7 @@ class TeamKnowledge {
   /// Another one is the leader.
   void forget_leader();
   /// Takes from a part what is new here: tasks, those that are done or approved,
-  /// meetings.
+  /// encounters.
   /// @param branch  that new tasks belong to when they belong to none.
   /// @returns  whether tasks have changed.
   bool add(const TeamState& state, std::optional<EntityId> branch);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr EntityId kSelf{3};
 
-// An own aircraft that flies north at 20 m/s and 300 m, and a stranger.
+// An own aircraft that flies north at 20 m/s and 300 m, and an intruder.
 class Sky {
  public:
   explicit Sky(Vec3 p_N, Vec3 v_N) : p_N_(std::move(p_N)), v_N_(std::move(v_N)) {}

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "skein/base/math.h"
-#include "skein/layer/reasoning/avoidance/meeting/test/straight_flight.h"
+#include "skein/layer/reasoning/avoidance/encounter/test/straight_flight.h"
 
 namespace skein::reasoning::conflicts_test {
 namespace {
@@ -26,7 +26,7 @@ TEST(ConflictFinder, SeesHeadOnsWithinTheHorizonOnly) {
   const auto found = finder.find(Time(), own, others, 60);
   ASSERT_EQ(found.size(), 1u);
   // 50 m and what both are off, 8 m each: 66 m are left after 1934 m at 40 m/s.
-  EXPECT_NEAR(found[0].meeting.begin, 1934.0 / 40, 0.01);
+  EXPECT_NEAR(found[0].encounter.begin, 1934.0 / 40, 0.01);
   EXPECT_EQ(found[0].separation.horizontal, 66);
   EXPECT_EQ(found[0].separation.vertical, 24);
 }

@@ -5,9 +5,9 @@
 
 #include <random>
 
+#include "skein/layer/reasoning/avoidance/encounter/plan_encounter.h"
 #include "skein/layer/reasoning/avoidance/group/test/circle_of_flights.h"
 #include "skein/layer/reasoning/avoidance/manoeuvre/said_limits.h"
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 
 namespace skein::reasoning::group_negotiation_test {
 namespace {
@@ -59,11 +59,11 @@ class SmallGroup {
   }
 
   // Of the flights as they are in the end.
-  int meetings() const {
+  int encounters() const {
     int count = 0;
     for (std::size_t i = 0; i < plans_.size(); ++i)
       for (std::size_t j = i + 1; j < plans_.size(); ++j)
-        if (first_meeting(flown(i), flown(j), {50, 20}, 15, 300)) ++count;
+        if (first_encounter(flown(i), flown(j), {50, 20}, 15, 300)) ++count;
     return count;
   }
 
@@ -126,7 +126,7 @@ TEST(GroupNegotiation, AllFlyWhatComesOut) {
   SmallGroup group(6, 0, 1);
   group.run();
   EXPECT_EQ(group.agreed(), 6U);
-  EXPECT_EQ(group.meetings(), 0);
+  EXPECT_EQ(group.encounters(), 0);
 }
 
 TEST(GroupNegotiation, WhoDoesNotAnswerIsLeftOut) {
@@ -135,7 +135,7 @@ TEST(GroupNegotiation, WhoDoesNotAnswerIsLeftOut) {
   group.run();
   EXPECT_EQ(group.agreed(), 5U);
   // Of fifteen before; with the one that was left out there may be one yet to solve.
-  EXPECT_LE(group.meetings(), 1);
+  EXPECT_LE(group.encounters(), 1);
 }
 
 TEST(GroupNegotiation, NobodyFliesWhatOneCannot) {
@@ -154,7 +154,7 @@ TEST(GroupNegotiation, LostMessagesPartNobody) {
     group.run();
     if (group.agreed() == 0) continue;
     ++agreed;
-    EXPECT_EQ(group.meetings(), 0) << seed;
+    EXPECT_EQ(group.encounters(), 0) << seed;
   }
   EXPECT_GE(agreed, 30);
 }

@@ -3,20 +3,20 @@
 
 #include <gtest/gtest.h>
 
+#include "skein/layer/reasoning/avoidance/encounter/plan_encounter.h"
 #include "skein/layer/reasoning/avoidance/group/test/circle_of_flights.h"
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
 
 namespace skein::reasoning::joint_search_test {
 namespace {
 
 constexpr std::size_t kEnough = 30000;
 
-std::size_t meetings_of(const JointSolution& solution) {
+std::size_t encounters_of(const JointSolution& solution) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < solution.choices.size(); ++i)
     for (std::size_t j = i + 1; j < solution.choices.size(); ++j)
-      if (first_meeting(solution.choices[i].flight, solution.choices[j].flight, {50, 20},
-                        5, 300))
+      if (first_encounter(solution.choices[i].flight, solution.choices[j].flight,
+                          {50, 20}, 5, 300))
         ++count;
   return count;
 }
@@ -26,7 +26,7 @@ TEST(JointSearch, PartsAllOfACircle) {
     const JointSolution solution =
         solve_jointly(joint_problem(circle_of_flights(count)), kEnough);
     EXPECT_EQ(solution.conflicts, 0U) << count;
-    EXPECT_EQ(meetings_of(solution), 0U) << count;
+    EXPECT_EQ(encounters_of(solution), 0U) << count;
     // In the middle of twelve each is some seconds later.
     EXPECT_LT(solution.cost, 4.0 * count) << count;
   }
@@ -55,7 +55,7 @@ TEST(JointSearch, KeepsApartFromOthers) {
     for (auto& member : problem.members) member.others = {{&third, {50, 20}}};
     const JointSolution solution = solve_jointly(problem, kEnough);
     EXPECT_EQ(solution.conflicts, 0U);
-    EXPECT_FALSE(first_meeting(solution.choices[0].flight, third, {50, 20}, 5, 300));
+    EXPECT_FALSE(first_encounter(solution.choices[0].flight, third, {50, 20}, 5, 300));
   }
 }
 

@@ -39,7 +39,7 @@ TEST(EvasiveFlight, MeetsNobodyWhereThatCanBe) {
   const auto evasive = evasive_flight(late.conflict, others, anything);
   ASSERT_TRUE(evasive);
   EXPECT_TRUE(std::isinf(evasive->meets));
-  EXPECT_FALSE(first_meeting(evasive->flight, late.other, late.kept, 1, 61));
+  EXPECT_FALSE(first_encounter(evasive->flight, late.other, late.kept, 1, 61));
   EXPECT_LT(
       (model::end_of(evasive->flight.back()).p_N - model::end_of(late.plan.back()).p_N)
           .norm(),

@@ -5,7 +5,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
+#include "skein/layer/reasoning/avoidance/encounter/plan_encounter.h"
 #include "skein/model/path/flight_plan.h"
 #include "skein/solve/path/link.h"
 
@@ -117,19 +117,19 @@ RC_GTEST_PROP(ManoeuvredFlight, OfOneOrTheOtherSolvesAMeeting, ()) {
   other.p_N.z() = number(-15, 15);
   const FlightPlan a{one}, b{other};
   const double end = one.duration;
-  const auto meeting = first_meeting(a, b, apart, 0, end);
-  RC_PRE(meeting.has_value());
+  const auto encounter = first_encounter(a, b, apart, 0, end);
+  RC_PRE(encounter.has_value());
   const ConflictOfFlight of_a{a,
                               limits,
-                              meeting->begin - 45,
-                              meeting->begin,
-                              meeting->closest_time,
-                              meeting->end,
+                              encounter->begin - 45,
+                              encounter->begin,
+                              encounter->closest_time,
+                              encounter->end,
                               apart};
   int free = 0;
   for (const Manoeuvre& m : manoeuvres(limits, apart, 1)) {
     const auto flight = manoeuvred(m, of_a);
-    if (flight && !first_meeting(*flight, b, apart, 0, end)) ++free;
+    if (flight && !first_encounter(*flight, b, apart, 0, end)) ++free;
   }
   RC_ASSERT(free > 0);
 }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "skein/base/math.h"
-#include "skein/layer/reasoning/avoidance/meeting/plan_meeting.h"
-#include "skein/layer/reasoning/avoidance/meeting/test/straight_flight.h"
+#include "skein/layer/reasoning/avoidance/encounter/plan_encounter.h"
+#include "skein/layer/reasoning/avoidance/encounter/test/straight_flight.h"
 
 namespace skein::reasoning::pair_negotiation_test {
 namespace {
@@ -70,7 +70,7 @@ TEST(PairNegotiation, BothFindTheSameFlightsThatAreApart) {
   talk(a, b, 4);
   ASSERT_EQ(a.state(), PairNegotiation::State::kAgreed);
   ASSERT_EQ(b.state(), PairNegotiation::State::kAgreed);
-  EXPECT_FALSE(first_meeting(a.flight(), b.flight(), two.separation, 0, 200));
+  EXPECT_FALSE(first_encounter(a.flight(), b.flight(), two.separation, 0, 200));
   const auto as_a_knows =
       flight_with(b.manoeuvre(), {two.plan_b, 200, two.limits}, a.conflict());
   ASSERT_TRUE(as_a_knows);
@@ -112,8 +112,8 @@ struct Halves {
                        {plan, 200, two.limits}, conflict);
   }
   bool is_free(const OfferedManoeuvre& mine, const OfferedManoeuvre& theirs) const {
-    return !first_meeting(*flight(mine, two.plan_a), *flight(theirs, two.plan_b),
-                          two.separation, conflict.begin, conflict.look_until);
+    return !first_encounter(*flight(mine, two.plan_a), *flight(theirs, two.plan_b),
+                            two.separation, conflict.begin, conflict.look_until);
   }
   float cheapest_with(std::size_t l) const {
     float least = 1e9F;
@@ -173,7 +173,7 @@ TEST(PairNegotiation, BothFindTheSameDealByAnyRule) {
     talk(a, b, 6);
     ASSERT_EQ(a.state(), PairNegotiation::State::kAgreed) << name_of(rule);
     ASSERT_EQ(b.state(), PairNegotiation::State::kAgreed) << name_of(rule);
-    EXPECT_FALSE(first_meeting(a.flight(), b.flight(), two.separation, 0, 200));
+    EXPECT_FALSE(first_encounter(a.flight(), b.flight(), two.separation, 0, 200));
   }
 }
 

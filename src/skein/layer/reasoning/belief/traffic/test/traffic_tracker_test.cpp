@@ -104,16 +104,16 @@ TEST(TrafficTracker, CoastsForTenSecondsAndThenForgets) {
 
 TEST(TrafficTracker, CountsNobodyOfTheTeam) {
   const Intruder member{{1200, 300, -200}, {20, 0, 0}},
-      stranger{{2200, 300, -200}, {20, 0, 0}};
+      intruder{{2200, 300, -200}, {20, 0, 0}};
   Measurer measure;
   TrafficTracker tracker;
   for (int t = 0; t < 20; ++t) {
     const std::array team{TeamPlace{member.at(t), 5}};
-    tracker.step(s(t), std::array{measure.radar(member, t), measure.radar(stranger, t)},
+    tracker.step(s(t), std::array{measure.radar(member, t), measure.radar(intruder, t)},
                  team);
   }
   ASSERT_EQ(tracker.tracks().size(), 1u);
-  EXPECT_LT(off(tracker.tracks()[0], stranger, 19), 60);
+  EXPECT_LT(off(tracker.tracks()[0], intruder, 19), 60);
 }
 
 TEST(TrafficTracker, TakesAnAddressThatJumpsForAnotherAircraft) {

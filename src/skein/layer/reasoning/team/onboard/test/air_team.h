@@ -11,7 +11,7 @@
 
 #include "skein/base/random.h"
 #include "skein/layer/reasoning/team/onboard/onboard_team.h"
-#include "skein/layer/reasoning/team/onboard/team_desk.h"
+#include "skein/layer/reasoning/team/onboard/team_server.h"
 
 namespace skein::reasoning {
 
@@ -29,10 +29,10 @@ struct AirTeam {
   TeamConfig config;
   TaskSharing sharing = TaskSharing::kCoalitions;
   double loss = 0, task_time = 40;
-  bool station_hears = true;
+  bool station_receives = true;
   std::set<std::uint32_t> impossible;    ///< tasks that nobody can fly
   std::set<std::uint32_t> out_of_reach;  ///< aircraft that the station does not hear
-  std::unique_ptr<TeamDesk> desk;
+  std::unique_ptr<TeamServer> desk;
   std::map<EntityId, Aircraft> aircraft;
   std::vector<Event> events;
   std::map<EntityId, TeamLead> leads;
@@ -56,7 +56,7 @@ struct AirTeam {
   }
   /// The station begins anew.
   void restart() {
-    desk = std::make_unique<TeamDesk>(TeamDeskOptions{EntityId{0}, config, sharing});
+    desk = std::make_unique<TeamServer>(TeamServerOptions{EntityId{0}, config, sharing});
   }
 
   void add(std::uint32_t id, const Vec2& place, std::uint32_t sensors = 0) {
@@ -78,7 +78,7 @@ struct AirTeam {
       if (arrives()) inbox.push_back(message);
     };
     const auto reaches = [&](EntityId id) {
-      return station_hears && !out_of_reach.contains(id.value);
+      return station_receives && !out_of_reach.contains(id.value);
     };
     if (reaches(message.from)) give(EntityId{0}, to_station);
     for (auto& [id, one] : aircraft)

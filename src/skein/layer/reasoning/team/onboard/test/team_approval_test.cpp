@@ -160,10 +160,10 @@ TEST(TeamApproval, AProposalWaitsWhileTheStationIsOutOfReachAndIsShownAgain) {
   AirTeam team = asked(2, 0);
   team.desk->hand_in("M", places(2), Time());
   team.run(60);
-  team.station_hears = false;
+  team.station_receives = false;
   team.run(100);
   EXPECT_EQ(team.flown(), Flown{}) << team.story();
-  team.station_hears = true;
+  team.station_receives = true;
   team.run(60);
   ASSERT_EQ(team.decide(kApprove), "") << team.story();
   team.run(20);

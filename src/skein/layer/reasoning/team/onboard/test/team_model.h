@@ -72,8 +72,8 @@ class TeamModel {
       if (event.kind != EventKind::kTeamSplit) continue;
       const EntityId other = event.numbers.other.value();
       const std::pair<EntityId, EntityId> pair = std::minmax(event.entity, other);
-      const auto met = world_.meetings.find(pair);
-      if (met == world_.meetings.end() || met->second < 2)
+      const auto met = world_.encounters.find(pair);
+      if (met == world_.encounters.end() || met->second < 2)
         say(event.entity, "splits the mission with " + std::to_string(other.value) +
                               ", whom it has not met before");
     }

@@ -53,14 +53,14 @@ TEST(TeamOnAir, GoesOnWhenItsMasterIsLostAndTheStationIsOutOfReach) {
   AirTeam team = three(TeamStructure::kMaster, 0.2);
   const auto numbers = team.desk->hand_in("M", measurements(7), Time());
   team.run(60);
-  team.station_hears = false;
+  team.station_receives = false;
   team.aircraft.erase(EntityId{1});
   team.run(300);
   EXPECT_EQ(team.masters(), std::set<std::uint32_t>{2}) << team.story();
   EXPECT_EQ(team.executed.size(), 7u) << team.story();
   for (const auto& [task, times] : team.executed) EXPECT_LE(times, 2) << task;
   // In reach again the station follows, and hears what is done.
-  team.station_hears = true;
+  team.station_receives = true;
   team.run(60);
   EXPECT_EQ(team.masters(), std::set<std::uint32_t>{2}) << team.story();
   for (const std::uint32_t task : numbers)
@@ -154,10 +154,10 @@ TEST(TeamOnAir, AStationThatMeetsItsTeamAgainAndAgainNeverSplitsIt) {
   team.desk->hand_in("M", measurements(3), Time());
   team.task_time = 1e6;
   for (int k = 0; k < 4; ++k) {
-    team.station_hears = true;
+    team.station_receives = true;
     team.run(60);
     EXPECT_EQ(team.masters(), std::set<std::uint32_t>{1}) << team.story();
-    team.station_hears = false;
+    team.station_receives = false;
     team.run(90);
   }
   EXPECT_EQ(team.flown(), (std::multiset<std::uint32_t>{1, 2, 3})) << team.story();
@@ -180,10 +180,10 @@ TEST(TeamOnAir, AStationThatLedAloneHearsOfFollowersThatItsTeamHasAMaster) {
   AirTeam team = three(TeamStructure::kMaster, 0.2);
   const auto numbers = team.desk->hand_in("M", measurements(5), Time());
   team.run(30);
-  team.station_hears = false;
+  team.station_receives = false;
   team.run(60);
   EXPECT_EQ(team.leads.at(EntityId{0}).master, EntityId{0}) << team.story();
-  team.station_hears = true;
+  team.station_receives = true;
   team.out_of_reach = {1};
   team.run(120);
   EXPECT_EQ(team.masters(), std::set<std::uint32_t>{1}) << team.story();
@@ -260,12 +260,12 @@ TEST(TeamOnAir, WhatIsWithdrawnOutOfReachIsSaidWhenTheTeamIsBack) {
   team.desk->hand_in("M", measurements(2), Time());
   team.task_time = 1e6;
   team.run(60);
-  team.station_hears = false;
+  team.station_receives = false;
   team.run(40);
   EXPECT_EQ(obey(team, {TeamTaskAction::kWithdraw, 2}), "");
   team.run(40);
   EXPECT_EQ(team.flown(), (std::multiset<std::uint32_t>{1, 2})) << team.story();
-  team.station_hears = true;
+  team.station_receives = true;
   team.run(60);
   EXPECT_EQ(team.flown(), std::multiset<std::uint32_t>{1}) << team.story();
 }

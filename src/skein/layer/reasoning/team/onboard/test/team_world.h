@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "skein/layer/reasoning/team/onboard/onboard_team.h"
-#include "skein/layer/reasoning/team/onboard/team_desk.h"
+#include "skein/layer/reasoning/team/onboard/team_server.h"
 #include "skein/layer/reasoning/team/onboard/test/model_air.h"
 
 namespace skein::reasoning {
@@ -63,7 +63,8 @@ class TeamWorld {
   std::set<std::uint32_t> done;
   std::optional<EntityId> master_of_station;
   std::string team_of_station;
-  std::map<std::pair<EntityId, EntityId>, int> meetings;  ///< of leaders, lower id first
+  std::map<std::pair<EntityId, EntityId>, int>
+      encounters;  ///< of leaders, lower id first
   std::vector<Event> events;
   std::vector<std::string> faults;
 
@@ -100,7 +101,7 @@ class TeamWorld {
     for (const EntityId a : leaders)
       for (const EntityId b : leaders)
         if (a < b && air.group_of(a) != air.group_of(b) && groups.at(a) == groups.at(b))
-          ++meetings[{a, b}];
+          ++encounters[{a, b}];
     for (const auto& [id, group] : groups) air.put(id, group);
   }
   void add_task(const Wanted& task) {
@@ -164,7 +165,7 @@ class TeamWorld {
 
  private:
   void start_station() {
-    desk_ = std::make_unique<TeamDesk>(TeamDeskOptions{kStation, config_, sharing_});
+    desk_ = std::make_unique<TeamServer>(TeamServerOptions{kStation, config_, sharing_});
     informed[kStation] = {};
     air.put(kStation, 0);
   }
@@ -246,7 +247,7 @@ class TeamWorld {
   TaskSharing sharing_;
   TeamConfig config_;
   Time last_;  // when the station was stepped
-  std::unique_ptr<TeamDesk> desk_;
+  std::unique_ptr<TeamServer> desk_;
 };
 
 }  // namespace skein::reasoning

@@ -9,7 +9,7 @@
 namespace skein::reasoning::own_tasks_test {
 namespace {
 
-constexpr EntityId kLeader{1}, kOther{2}, kSelf{3}, kStranger{4};
+constexpr EntityId kLeader{1}, kOther{2}, kSelf{3}, kIntruder{4};
 using Tasks = std::vector<std::uint32_t>;
 
 TEST(OwnTasks, WhoIsNotAbleExecutesNothing) {
@@ -67,10 +67,10 @@ struct Twice : LoneMember {
 
 TEST(DuplicateTasks, OfTwoTeamsTheLowerLeadersMemberFliesOn) {
   Twice member;
-  member.hears_of_other(kStranger, 1);
+  member.hears_of_other(kIntruder, 1);
   EXPECT_EQ(member.state.own.executing(), Tasks{1});
   Twice yields;
-  yields.state.leader.id = kStranger;
+  yields.state.leader.id = kIntruder;
   yields.state.set_status(TeamReason::kFollowing);
   yields.hears_of_other(kLeader, 1);
   EXPECT_EQ(yields.state.own.executing(), Tasks{});
