@@ -22,7 +22,8 @@ constexpr double kMinExpected = 3;   // and not more often than that [s]
 constexpr double kWorthReturning =
     40;  // of a flight that is left, to be planned anew [s]
 constexpr double kOff = 15, kOffHeight = 8;  // what is expected counts as wrong [m]
-constexpr double kOtherWind = 1;             // than that of the plan [m/s]
+constexpr double kClearanceShare = 0.5;  // of the height flown, kept clear at the most
+constexpr double kOtherWind = 1;         // than that of the plan [m/s]
 constexpr double kWrongWind = 2;     // of a flight out of the way: it is made anew [m/s]
 constexpr double kWrongFor = 5;      // and this long after what is wanted was [s]
 constexpr double kOffAgain = 10;     // of legs that are planned: anew, at the soonest [s]
@@ -35,6 +36,11 @@ constexpr double kIgnored = 60;      // that a pilot counts as flying on [s]
 constexpr double kMarginOfPilot = 1;    // after the slowest reaction [s]
 constexpr double kPlannedRadius = 1.1;  // of the turn radius: room to correct
 constexpr double kPlannedClimb = 0.95;  // of the climb rate, likewise
+
+// Whether something is so far from where it is expected that this counts as wrong.
+bool is_off(const Vec3& off) {
+  return off.head<2>().norm() > kOff || std::abs(off.z()) > kOffHeight;
+}
 
 // The least height above the ground of a flight, and a little less [m].
 double lowest(const FlightPlan& plan, const Terrain& ground) {
@@ -79,7 +85,7 @@ PathQuery SeparationPlanner::query_of(const TaskStep& step) const {
   query.limits.climb_rate *= kPlannedClimb;
   query.limits.sink_rate *= kPlannedClimb;
   query.wind = step.in.nav->wind_N;
-  query.ground_clearance = std::min(context_.altitude_agl / 2, lowest_);
+  query.ground_clearance = std::min(kClearanceShare * context_.altitude_agl, lowest_);
   query.terrain = context_.map;
   return query;
 }
@@ -113,8 +119,7 @@ bool SeparationPlanner::expects_other(const FlightIntent& given,
   if (age < kMinExpected) return false;
   const Vec3 off =
       model::moment_at(wanted_.plan, step.in.now.seconds()).p_N - step.in.nav->p_N;
-  return age > kExpectAgain || off.head<2>().norm() > kOff ||
-         std::abs(off.z()) > kOffHeight;
+  return age > kExpectAgain || is_off(off);
 }
 
 // Whether what it circles has moved since that was planned: its intent has the same
@@ -234,8 +239,7 @@ void SeparationPlanner::want_course(const TaskStep& step) {
   const double now = step.in.now.seconds(), age = now - expected_at_.seconds();
   if (by_others_) {
     const Vec3 off = model::moment_at(wanted_.plan, now).p_N - nav.p_N;
-    const bool astray = off.head<2>().norm() > kOff || std::abs(off.z()) > kOffHeight;
-    if (age < kMinCourse || (!astray && age < kCourseAgain)) return;
+    if (age < kMinCourse || (!is_off(off) && age < kCourseAgain)) return;
   }
   FlightPlan plan =
       course_flight(nav.p_N, nav.v_N, now, options_.horizon + kExpected, kClimbsFor);

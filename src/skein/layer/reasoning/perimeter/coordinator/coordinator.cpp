@@ -21,6 +21,7 @@ constexpr double kResendAfter = 3;   // an order not confirmed by now is sent ag
 constexpr int kResentAtOnce = 5;     // where others use the same medium
 constexpr double kSurelyOut = 3;     // standard deviations of the boundary
 constexpr double kFurtherOut = 200;  // further out than these nothing is expected [m]
+constexpr double kAhead = 1000;  // on the present heading where no boundary is known [m]
 
 // Where an aircraft that has not crossed for long is sure to find the boundary: from
 // outside at the fire's origin, from inside beyond the nearest believed boundary.
@@ -34,8 +35,9 @@ Vec2 sure_crossing(const AircraftStatus& aircraft, const BoundaryEstimate& bound
       if (!nearest || (point.position - here).squaredNorm() <
                           (nearest->position - here).squaredNorm())
         nearest = &point;
-  if (!nearest) return here + 1000 * geo::unit(aircraft.nav.heading);
-  return nearest->position + (3 * nearest->sigma + 200) * nearest->normal;
+  if (!nearest) return here + kAhead * geo::unit(aircraft.nav.heading);
+  return nearest->position +
+         (kSurelyOut * nearest->sigma + kFurtherOut) * nearest->normal;
 }
 
 // Whether an aircraft has crossed all that may burn by what is believed.

@@ -7,7 +7,8 @@
 namespace skein::perimeter {
 
 std::optional<Crossing> CrossingDetector::take(const HeardReading& heard) {
-  constexpr double kSlowest = 30;  // period of a sensor whose readings still pair [s]
+  constexpr double kSlowest = 30;   // period of a sensor whose readings still pair [s]
+  constexpr double kPairGap = 1.5;  // of that period, between readings that pair
   if (heard.follows == Follows::kNothing) return std::nullopt;
   const FireReading& reading = heard.reading;
   const auto [place, fresh] = last_.try_emplace(reading.aircraft, Last{reading});
@@ -19,7 +20,7 @@ std::optional<Crossing> CrossingDetector::take(const HeardReading& heard) {
   if (shows_period && gap > 0 && (last.min_interval == 0 || gap < last.min_interval))
     last.min_interval = gap;
   const double longest =
-      std::max(longest_gap_, 1.5 * std::min(last.min_interval, kSlowest));
+      std::max(longest_gap_, kPairGap * std::min(last.min_interval, kSlowest));
   if (before.inside == reading.inside || gap > longest) return std::nullopt;
   Crossing crossing;
   crossing.time = reading.time;

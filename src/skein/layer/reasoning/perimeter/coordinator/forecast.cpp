@@ -15,6 +15,8 @@ namespace {
 constexpr double kPart = 120;      // looked ahead at a time [s]
 constexpr int kArrivalSteps = 12;  // of the distribution, to the last horizon
 constexpr double kMinSigma = 0.1;  // [m]
+// Shares of the distribution of arrivals by which the fire is there.
+constexpr double kEarly = 0.1, kMiddle = 0.5, kLate = 0.9;
 
 // When the distribution passes a probability [s]; none: not within its steps.
 std::optional<double> quantile(const std::vector<ArrivalStep>& steps,
@@ -104,9 +106,9 @@ void ForecastRun::look(double seconds) {
 
 Forecast ForecastRun::take() {
   for (ArrivalForecast& arrival : said_.arrivals) {
-    arrival.early = quantile(arrival.steps, 0.1);
-    arrival.middle = quantile(arrival.steps, 0.5);
-    arrival.late = quantile(arrival.steps, 0.9);
+    arrival.early = quantile(arrival.steps, kEarly);
+    arrival.middle = quantile(arrival.steps, kMiddle);
+    arrival.late = quantile(arrival.steps, kLate);
   }
   return std::move(said_);
 }
