@@ -147,6 +147,18 @@ SeparationPhase SeparationMonitor::phase(const Aircraft& a, const Aircraft& b) c
   return in_formation(a, b) ? SeparationPhase::kFormation : SeparationPhase::kAir;
 }
 
+// Whether two that fly straight from moment to moment are at no time nearer to each other
+// on the map than this [m].
+bool SeparationMonitor::stays_beside(const Aircraft& a, const Aircraft& b,
+                                     double distance) {
+  constexpr double kRounding = 1e-6;  // [m]
+  const Vec2 from = (b.before - a.before).head<2>();
+  const Vec2 motion = (b.p_N - a.p_N).head<2>() - from;
+  const double moved2 = motion.squaredNorm();
+  const double share = moved2 > 0 ? std::clamp(-from.dot(motion) / moved2, 0.0, 1.0) : 0;
+  return (from + share * motion).norm() > distance + kRounding;
+}
+
 // Along the straight motion of both the ratio is convex: the larger of two distances to
 // a line.
 SeparationMonitor::Closest SeparationMonitor::closest(const Aircraft& a,
@@ -191,6 +203,7 @@ void SeparationMonitor::look(std::uint32_t a, std::uint32_t b, Time now) {
   // Most neighbours are far from what is kept.
   const double beside = kApartRatio * kept.horizontal + moved_;
   if (std::abs(apart.x()) > beside || std::abs(apart.y()) > beside) return;
+  if (stays_beside(one, other, kApartRatio * kept.horizontal)) return;
   const Closest closest = SeparationMonitor::closest(one, other, kept);
   if (closest.ratio >= kApartRatio) return;
   const bool moves = moment.phase != SeparationPhase::kGround || one.speed > kMoves ||

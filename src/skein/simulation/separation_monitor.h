@@ -96,6 +96,7 @@ class SeparationMonitor {
   SeparationPhase phase(const Aircraft& a, const Aircraft& b) const;
   bool in_formation(const Aircraft& a, const Aircraft& b) const;
   EntityId first_leader(EntityId id) const;
+  static bool stays_beside(const Aircraft& a, const Aircraft& b, double distance);
   static Closest closest(const Aircraft& a, const Aircraft& b, const Separation& kept);
 
   std::vector<Aircraft> aircraft_;      // by their numbers

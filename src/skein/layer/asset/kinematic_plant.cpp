@@ -120,10 +120,16 @@ void KinematicPlant::short_step(Point& point, const FlightCommand& command,
 
   // Airspeed and turn rate at five even times, for two half steps of Simpson's rule.
   std::array<double, 5> airspeed{}, turn_rate{};
+  double last_roll = 0, sideways = 0;  // most of the time it does not roll
   for (std::size_t i = 0; i < 5; ++i) {
     const double t = dt * static_cast<double>(i) / 4;
     airspeed[i] = airspeed_at(t);
-    turn_rate[i] = kGravity * math::tan(point.roll + roll_rate * t) / airspeed[i];
+    const double roll = point.roll + roll_rate * t;
+    if (i == 0 || roll != last_roll) {
+      last_roll = roll;
+      sideways = kGravity * math::tan(roll);
+    }
+    turn_rate[i] = sideways / airspeed[i];
   }
   const double half_turn = dt / 12 * (turn_rate[0] + 4 * turn_rate[1] + turn_rate[2]);
   const double turn =

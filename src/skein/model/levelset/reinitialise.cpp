@@ -3,14 +3,19 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
+
+#include "skein/model/levelset/four.h"
 
 namespace skein::model {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::max();
+constexpr std::uint32_t kAllFixed = 0x01010101;  // of four nodes
 
 struct Point {
   float x, y;
@@ -34,11 +39,18 @@ class Distance {
       : phi_(phi), distance_(phi.values.size(), kFar), fixed_(phi.values.size(), 0) {}
 
   bool from_contour() {
-    bool any = false;
+    bool found = false;
     for (int row = 0; row + 1 < phi_.grid.rows; ++row)
-      for (int column = 0; column + 1 < phi_.grid.columns; ++column)
-        any = cut_square(row, column) || any;
-    return any;
+      for (int column = 0; column + 1 < phi_.grid.columns;) {
+        const int next = column + static_cast<int>(kLanes);
+        if (next < phi_.grid.columns && are_whole(row, column)) {
+          column = next;
+          continue;
+        }
+        found = cut_square(row, column) || found;
+        ++column;
+      }
+    return found;
   }
 
   void sweep() {
@@ -51,12 +63,34 @@ class Distance {
 
   void write(Field& phi) const {
     const auto cell = static_cast<float>(phi.grid.cell);
-    for (std::size_t i = 0; i < distance_.size(); ++i)
-      phi.values[i] = std::copysign(distance_[i] * cell, phi.values[i]);
+    const float* distance = distance_.data();
+    float* value = phi.values.data();
+    const auto write_one = [&]<class V>(std::size_t i) {
+      store<V>(value + i,
+               with_sign_of(V(load<V>(distance + i) * cell), load<V>(value + i)));
+    };
+    std::size_t i = 0;
+    for (; i + kLanes <= distance_.size(); i += kLanes)
+      write_one.template operator()<Four>(i);
+    for (; i < distance_.size(); ++i) write_one.template operator()<float>(i);
   }
 
  private:
   static bool inside(float value) { return std::signbit(value); }
+
+  // Whether none of the squares at four columns from this one on is cut: all corners of
+  // each have the same sign.
+  bool are_whole(int row, int column) const {
+    const float* south = phi_.values.data() + phi_.grid.index(row, column);
+    const float* north = south + phi_.grid.columns;
+    const auto signs = [](const float* from) {
+      return std::bit_cast<FourBits>(load<Four>(from));
+    };
+    const FourBits one = signs(south);
+    const FourBits differ =
+        (one ^ signs(south + 1)) | (one ^ signs(north)) | (one ^ signs(north + 1));
+    return !any(differ < 0);
+  }
 
   bool cut_square(int row, int column) {
     const std::array<std::size_t, 4> node{
@@ -120,24 +154,56 @@ class Distance {
     if (difference >= 1) return std::min(a, b) + 1;
     return 0.5F * (a + b + std::sqrt(2 - difference * difference));
   }
+  static Four solve(Four a, Four b) {
+    const Four difference = absolute(a - b);
+    const Four from_both = 0.5F * (a + b + root(2 - difference * difference));
+    return difference >= 1 ? minimum(a, b) + 1 : from_both;
+  }
 
-  void sweep_row(int row, bool right) {
+  // A row of the grid and its neighbours.
+  struct Row {
+    float* d;
+    const std::uint8_t* fixed;
+    const float *below, *above;
+    int columns;
+  };
+
+  static void sweep_node(const Row& row, int c) {
+    if (row.fixed[c] != 0) return;
+    const float west = c > 0 ? row.d[c - 1] : kFar;
+    const float east = c + 1 < row.columns ? row.d[c + 1] : kFar;
+    const float a = std::min(west, east), b = std::min(row.below[c], row.above[c]);
+    if (std::min(a, b) < row.d[c]) row.d[c] = std::min(row.d[c], solve(a, b));
+  }
+
+  // Whether a sweep would change one of four nodes, which have neighbours on both sides:
+  // the first that changes does so by what its neighbours are now.
+  static bool changes(const Row& row, int c) {
+    const Four d = load<Four>(row.d + c);
+    const Four a = minimum(load<Four>(row.d + c - 1), load<Four>(row.d + c + 1));
+    const Four b = minimum(load<Four>(row.below + c), load<Four>(row.above + c));
+    std::uint32_t fixed = 0;
+    std::memcpy(&fixed, row.fixed + c, sizeof fixed);
+    return fixed != kAllFixed && any(solve(a, b) < d);
+  }
+
+  void sweep_row(int number, bool right) {
     const int columns = phi_.grid.columns;
-    const std::size_t start = phi_.grid.index(row, 0);
+    const std::size_t start = phi_.grid.index(number, 0);
     float* d = distance_.data() + start;
-    const std::uint8_t* fixed = fixed_.data() + start;
-    const float* below = row > 0 ? d - columns : d + columns;
-    const float* above = row + 1 < phi_.grid.rows ? d + columns : d - columns;
-    const int step = right ? 1 : -1;
-    const int first = right ? 0 : columns - 1;
-    float last = kFar;
-    for (int k = 0, c = first; k < columns; ++k, c += step) {
-      if (fixed[c] == 0) {
-        const float ahead = k + 1 < columns ? d[c + step] : kFar;
-        const float a = std::min(last, ahead), b = std::min(below[c], above[c]);
-        if (std::min(a, b) < std::min(d[c], kFar)) d[c] = std::min(d[c], solve(a, b));
+    const Row row{d, fixed_.data() + start, number > 0 ? d - columns : d + columns,
+                  number + 1 < phi_.grid.rows ? d + columns : d - columns, columns};
+    constexpr int kFour = static_cast<int>(kLanes);
+    int done = 0;  // nodes, from the side where the sweep begins
+    while (done < columns) {
+      const int first = right ? done : columns - done - kFour;  // of four
+      const bool inner = first >= 1 && first + kFour < columns;
+      if (inner && !changes(row, first)) {
+        done += kFour;
+        continue;
       }
-      last = d[c];
+      const int until = std::min(columns, done + (inner ? kFour : 1));
+      for (; done < until; ++done) sweep_node(row, right ? done : columns - 1 - done);
     }
   }
 

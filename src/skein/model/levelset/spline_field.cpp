@@ -26,19 +26,26 @@ Weights weights(double position) {
 
 }  // namespace
 
-double SplineField::sample(const Vec2& p) const {
-  const Grid& grid = coefficients.grid;
-  const Weights x = weights((p.x() - grid.low.x()) / grid.cell);
-  const Weights y = weights((p.y() - grid.low.y()) / grid.cell);
+SplineStencil spline_stencil(const Grid& nodes, const Vec2& p) {
+  const Weights x = weights((p.x() - nodes.low.x()) / nodes.cell);
+  const Weights y = weights((p.y() - nodes.low.y()) / nodes.cell);
+  SplineStencil at{{}, {}, x.w, y.w};
+  for (int k = 0; k < 4; ++k) {
+    const auto n = static_cast<std::size_t>(k);
+    at.row[n] = nodes.index(std::clamp(x.first + k, 0, nodes.rows - 1), 0);
+    at.column[n] =
+        static_cast<std::size_t>(std::clamp(y.first + k, 0, nodes.columns - 1));
+  }
+  return at;
+}
+
+double SplineField::sample(const SplineStencil& at) const {
   float sum = 0;
-  for (int i = 0; i < 4; ++i) {
-    const int row = std::clamp(x.first + i, 0, grid.rows - 1);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const float* row = coefficients.values.data() + at.row[i];
     float line = 0;
-    for (int j = 0; j < 4; ++j) {
-      const int column = std::clamp(y.first + j, 0, grid.columns - 1);
-      line += y.w[static_cast<std::size_t>(j)] * coefficients.at(row, column);
-    }
-    sum += x.w[static_cast<std::size_t>(i)] * line;
+    for (std::size_t j = 0; j < 4; ++j) line += at.column_weight[j] * row[at.column[j]];
+    sum += at.row_weight[i] * line;
   }
   return static_cast<double>(sum);
 }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "skein/base/folder_lock.h"
-#include "skein/record/store/content_hash.h"
 #include "skein/record/store/run_writer.h"
 #include "skein/record/store/summary_recorder.h"
 
@@ -50,7 +49,6 @@ struct RunRecorder::Parts {
   fs::path directory;
   FolderLock lock;  // outlives what is written
   RunInfo info;
-  ContentHash hash;
   RunWriter writer;
   std::map<std::string, double> extra;
   Time now;
@@ -103,7 +101,6 @@ std::size_t work_of(const Record& record) {
 }  // namespace
 
 void RunRecorder::record(const Record& record) {
-  parts_->hash.add(record);
   parts_->writer.push(record, work_of(record));
 }
 
@@ -130,8 +127,8 @@ void RunRecorder::set_figure(const std::string& name, double value) {
 Result<RunSummary> RunRecorder::close(bool interrupted) {
   if (auto done = parts_->writer.finish(); !done) return done.error();
   const RunSummary summary =
-      make_summary(parts_->info, parts_->hash, parts_->writer.statistics(), parts_->extra,
-                   {parts_->now, parts_->steps},
+      make_summary(parts_->info, parts_->writer.hash(), parts_->writer.statistics(),
+                   parts_->extra, {parts_->now, parts_->steps},
                    std::chrono::steady_clock::now() - parts_->started, interrupted);
   if (auto done = parts_->writer.database().finish(summary); !done) return done.error();
   if (auto done = write_summary(summary, parts_->directory / "summary.json"); !done)

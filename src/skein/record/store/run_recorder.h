@@ -26,7 +26,7 @@ struct RunRecorderOptions {
 
 /// Writes a run into `DIR/run.sqlite`, and `DIR/summary.json` at the end.
 ///
-/// The simulation thread only hashes, copies and queues; a thread of the recorder's own
+/// The simulation thread only copies and queues; a thread of the recorder's own
 /// computes metrics and writes. It commits at least every half second of wall time, so
 /// that a process killed at any moment leaves a readable database whose rows end at most
 /// one second before. When the disk is slower than the simulation for long, the queue

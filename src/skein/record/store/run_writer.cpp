@@ -151,7 +151,9 @@ Result<void> RunWriter::commit_if_due() {
 Result<void> RunWriter::write(Row& row) {
   if (auto* terrain = std::get_if<std::unique_ptr<TerrainRow>>(&row))
     return database_.write(**terrain);
-  return write(std::get<Record>(row));
+  auto& record = std::get<Record>(row);
+  hash_.add(record);
+  return write(record);
 }
 
 Result<void> RunWriter::write(Record& record) {

@@ -14,12 +14,14 @@
 
 #include "skein/data/event/live.h"
 #include "skein/record/figures/statistics.h"
+#include "skein/record/store/content_hash.h"
 #include "skein/record/store/rows.h"
 #include "skein/record/store/run_database.h"
 
 namespace skein::record {
 
-/// Takes rows from one thread and writes them to a database on a thread of its own.
+/// Takes rows from one thread and writes them to a database on a thread of its own, where
+/// records are also counted into the content hash and the statistics.
 ///
 /// Rows gather for a tenth of a second or until there are many; then they are written as
 /// one transaction. Transactions that take long are split, so that each is committed
@@ -45,6 +47,7 @@ class RunWriter {
 
   /// After finish() only.
   const RunStatistics& statistics() const { return statistics_; }
+  const ContentHash& hash() const { return hash_; }
   RunDatabase& database() { return database_; }
 
  private:
@@ -64,6 +67,7 @@ class RunWriter {
 
   // Of the writing thread.
   RunDatabase database_;
+  ContentHash hash_;
   RunStatistics statistics_;
   Time perimeter_period_;
   bool store_messages_;

@@ -21,6 +21,7 @@ Belief::Belief(std::unique_ptr<PerimeterEstimator> estimator, double window)
 
 std::vector<Crossing> Belief::use(const HeardReading& heard) {
   const FireReading& reading = heard.reading;
+  boundary_.reset();
   now_.estimator->predict(reading.time);
   now_.time = reading.time;
   std::vector<Crossing> crossings;
@@ -52,6 +53,7 @@ std::vector<Crossing> Belief::take(std::vector<HeardReading> readings) {
     while (checkpoints_.size() > 1 && checkpoints_.back().time >= first)
       checkpoints_.pop_back();
     now_ = checkpoints_.back().copy();
+    boundary_.reset();
     const auto since = std::find_if(history_.begin(), history_.end(), [&](const auto& r) {
       return r.reading.time > now_.time;
     });
@@ -87,12 +89,14 @@ void Belief::keep_checkpoint() {
 
 void Belief::predict(Time time) {
   if (time <= now_.time) return;
+  boundary_.reset();
   now_.estimator->predict(time);
   now_.time = time;
 }
 
-BoundaryEstimate Belief::boundary_at(Time now) const {
-  BoundaryEstimate boundary = now_.estimator->boundary();
+BoundaryEstimate Belief::boundary_at(Time now) {
+  if (!boundary_) boundary_ = now_.estimator->boundary();
+  BoundaryEstimate boundary = *boundary_;
   const double ahead = (now - boundary.time).seconds();
   boundary.time = now;
   for (auto& ring : boundary.rings)

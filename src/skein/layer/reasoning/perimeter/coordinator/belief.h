@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "skein/layer/reasoning/perimeter/coordinator/crossing_detector.h"
@@ -34,7 +35,7 @@ class Belief {
   Time time() const { return now_.time; }
 
   /// The boundary, moved on from the belief's own time to `now` with each point's rate.
-  BoundaryEstimate boundary_at(Time now) const;
+  BoundaryEstimate boundary_at(Time now);
 
   /// Begins to look ahead of `now`, which is not before its own time.
   ForecastRun look_ahead(Time now, const ForecastOptions& options, double spread) const {
@@ -59,6 +60,7 @@ class Belief {
   Checkpoint now_;
   std::deque<Checkpoint> checkpoints_;  // oldest first
   std::vector<HeardReading> history_;   // since the oldest checkpoint, in order of time
+  std::optional<BoundaryEstimate> boundary_;  // of its own time, as long as it is known
   int dropped_ = 0;
 };
 

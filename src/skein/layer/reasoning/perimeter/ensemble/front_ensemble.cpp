@@ -252,24 +252,27 @@ MemberValues FrontEnsemble::speed(const Vec2& p) const {
   const Vec2 g = gradient(p);
   const double length = g.norm();
   const Vec2 normal = length > 0 ? Vec2(g / length) : Vec2(Vec2::Zero());
+  const model::SplineStencil place =
+      model::spline_stencil(members_[0].rate.coefficients.grid, p);
   Eigen::VectorXd values(size());
   for (int j = 0; j < size(); ++j) {
     const Member& m = members_[static_cast<std::size_t>(j)];
-    values[j] = std::max(0.0, m.rate_at(p) + m.drift().dot(normal));
+    values[j] = std::max(0.0, m.rate_at(place) + m.drift().dot(normal));
   }
   return summary(std::move(values));
 }
 
 MemberValues FrontEnsemble::distance(const Vec2& p) const {
+  return distance(p, lag_ > 0 ? speed(p) : MemberValues());
+}
+
+MemberValues FrontEnsemble::distance(const Vec2& p, const MemberValues& v) const {
   const model::Stencil at = model::stencil(grid_, p);
   const double outside = (p - p.cwiseMax(grid_.low).cwiseMin(grid_.high())).norm();
   Eigen::VectorXd values(size());
   for (int j = 0; j < size(); ++j)
     values[j] = outside + at.value(members_[static_cast<std::size_t>(j)].phi.values);
-  if (lag_ > 0) {
-    const MemberValues v = speed(p);
-    values.array() -= lag_ * (v.mean + v.deviation.array());
-  }
+  if (lag_ > 0) values.array() -= lag_ * (v.mean + v.deviation.array());
   return summary(std::move(values));
 }
 

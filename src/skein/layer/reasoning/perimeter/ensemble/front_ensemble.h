@@ -35,6 +35,8 @@ class FrontEnsemble {
 
   /// Signed distance of the boundary from `p` [m], negative inside.
   MemberValues distance(const Vec2& p) const;
+  /// The same where the speed at `p` is known already.
+  MemberValues distance(const Vec2& p, const MemberValues& speed) const;
   /// Speed of the boundary at `p` along its normal [m/s].
   MemberValues speed(const Vec2& p) const;
   /// Gradient of the mean distance; its length is below 1 where members disagree.

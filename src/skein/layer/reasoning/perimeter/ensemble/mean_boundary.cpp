@@ -16,8 +16,8 @@ BoundaryPoint describe(const FrontEnsemble& ensemble, const Vec2& p, double floo
   const Vec2 gradient = ensemble.gradient(p);
   const double slope = gradient.norm();
   out.normal = slope > 0 ? Vec2(gradient / slope) : Vec2(1, 0);
-  const MemberValues distance = ensemble.distance(p);
   const MemberValues speed = ensemble.speed(p);
+  const MemberValues distance = ensemble.distance(p, speed);
   // Where members disagree the mean is flatter than a distance: sigma grows with it.
   const double stretch = 1 / std::clamp(slope, 0.5, 1.0);
   const double variance = distance.variance * stretch * stretch + floor * floor;

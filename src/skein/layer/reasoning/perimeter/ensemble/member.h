@@ -18,7 +18,9 @@ struct Member {
   Eigen::Vector3d common = Eigen::Vector3d::Zero();  ///< rate, drift everywhere [m/s]
   RandomStream stream;
 
-  double rate_at(const Vec2& p) const { return common[0] + rate.sample(p); }
+  double rate_at(const model::SplineStencil& place) const {
+    return common[0] + rate.sample(place);
+  }
   Vec2 drift() const { return common.tail<2>(); }
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "skein/base/math.h"
 #include "skein/geo/vec.h"
@@ -91,15 +92,6 @@ void BoundaryFilter::add_circulant(int from, const Eigen::VectorXd& row, double 
   }
 }
 
-// P += gain * column * column', where it is kept.
-void BoundaryFilter::add_outer(const Eigen::VectorXd& column, double gain) {
-  const Eigen::Index n = P_.rows();
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const Eigen::Index from = j < v(0) ? j : v(0);
-    P_.col(j).tail(n - from).noalias() += (gain * column[j]) * column.tail(n - from);
-  }
-}
-
 Vec2 BoundaryFilter::wind_effect(double bearing, double slope_over_radius) {
   const Vec2 e_r = geo::unit(bearing);
   return e_r -
@@ -143,8 +135,9 @@ BoundaryFilter::Local BoundaryFilter::at(double bearing) const {
   return local;
 }
 
-bool BoundaryFilter::sound() const {
+bool BoundaryFilter::sound() {
   constexpr double kFarthest = 1e6;  // [m]
+  if (!std::exchange(changed_, false)) return true;
   // Sums, because a maximum would pass over what is not a number.
   return x_.cwiseAbs().sum() < kFarthest * n_ &&
          P_.diagonal().cwiseAbs().sum() < kFarthest * kFarthest;
@@ -193,6 +186,7 @@ void BoundaryFilter::move_mean(double dt) {
 
 void BoundaryFilter::predict(double dt) {
   while (dt > 0) {
+    changed_ = true;
     const double step = std::min(dt, kLongestLag - lag_);
     dt -= step;
     age_ += step;
@@ -207,6 +201,7 @@ void BoundaryFilter::predict(double dt) {
 // P <- F P F' + Q over the lag, with u = v + G w the growth of r.
 void BoundaryFilter::settle() {
   if (!(lag_ > 0)) return;
+  changed_ = true;
   const double dt = lag_;
   lag_ = 0;
   const auto w_v = P_.block(v(0), 0, n_, 2);  // cov(v, w), a column per axis

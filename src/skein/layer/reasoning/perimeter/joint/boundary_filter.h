@@ -89,7 +89,7 @@ class BoundaryFilter {
 
   /// Whether the numbers still mean something: all finite, no radius nor its deviation
   /// beyond 1,000 km. A fire that is nothing like the hypothesis can drive them out.
-  bool sound() const;
+  bool sound();
 
   /// Brings covariance() up to now; it may lag a few seconds behind otherwise.
   void settle();
@@ -145,14 +145,12 @@ class BoundaryFilter {
   double slope_variance(const PeriodicSpline::Tap& tap) const;
   double apply(const Functional& h, Eigen::VectorXd& Ph) const;
   static double dot(const Functional& h, const Eigen::VectorXd& x);
-  void correct(const Eigen::VectorXd& Ph, double mean_gain, double variance_gain);
-  void add_outer(const Eigen::VectorXd& column, double gain);
   void add_circulant(int from, const Eigen::VectorXd& row, double gain);
   void growth(const Eigen::Ref<const Eigen::VectorXd>& c, double moved);
   void move_mean(double dt);
   void advect_covariance();
   double product_noise() const;
-  bool drop_site(Site& site, const Functional& h, double& s, double& m);
+  bool drop_site(Site& site, const Functional& h, double& s, double& m, double& gain);
 
   int n_;
   PeriodicSpline spline_;
@@ -160,6 +158,7 @@ class BoundaryFilter {
   double age_ = 0;        // since the start [s]
   double lag_ = 0;        // by which P_ is behind x_ [s]
   double noise_due_ = 0;  // time whose noise is not in P_ yet [s]
+  bool changed_ = true;   // since sound() looked
   Eigen::VectorXd x_;
   Eigen::MatrixXd P_;
   Eigen::VectorXd radius_row_,

@@ -6,6 +6,7 @@
 
 #include "skein/base/math.h"
 #include "skein/geo/vec.h"
+#include "skein/layer/reasoning/perimeter/joint/outer_products.h"
 #include "skein/layer/reasoning/perimeter/joint/step_likelihood.h"
 #include "skein/model/probability/truncated_normal.h"
 
@@ -82,15 +83,11 @@ double BoundaryFilter::apply(const Functional& h, Eigen::VectorXd& Ph) const {
   return dot(h, Ph);
 }
 
-void BoundaryFilter::correct(const Eigen::VectorXd& Ph, double mean_gain,
-                             double variance_gain) {
-  x_.noalias() += mean_gain * Ph;
-  add_outer(Ph, variance_gain);
-}
-
 // Takes an open site out again when it is about the same number as h (with s = h'Ph,
-// m = h x, P h in Ph_, all brought up to date). Returns whether it did.
-bool BoundaryFilter::drop_site(Site& site, const Functional& h, double& s, double& m) {
+// m = h x, P h in Ph_, all brought up to date), but for the covariance: Ph_site_ is to be
+// added to it with the gain that is returned. Returns whether it did.
+bool BoundaryFilter::drop_site(Site& site, const Functional& h, double& s, double& m,
+                               double& gain) {
   const Functional h_site = aged_radius_at(site.bearing, site.age);
   const double s_site = apply(h_site, Ph_site_);
   const double m_site = dot(h_site, x_);
@@ -107,7 +104,8 @@ bool BoundaryFilter::drop_site(Site& site, const Functional& h, double& s, doubl
   const double c_free = c + grow * c * s_site;
   if (c_free * c_free < kSamePlace * kSamePlace * s_free * s_site_free) return false;
   const double move = (m_site - site.shift / site.precision) * grow;
-  correct(Ph_site_, move, grow);
+  x_.noalias() += move * Ph_site_;
+  gain = grow;
   Ph_.noalias() += (grow * c) * Ph_site_;
   s = s_free;
   m += c * move;
@@ -208,11 +206,11 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
     s = apply(h, Ph_);
   }
   Site& site = sites_[static_cast<std::size_t>(slot)];
-  double before = 1, bound = l.low;
+  double before = 1, bound = l.low, dropped = 0;
   int count = 1;
   site.open = site.open && site.age < kSiteLife;
   if (site.open && reading.crossing) {
-    drop_site(site, h, s, m);
+    drop_site(site, h, s, m, dropped);
   } else if (site.open && site.inside == reading.inside) {
     const double sign = reading.inside ? 1 : -1;
     const double old_margin =
@@ -221,7 +219,7 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
     if (margin >= old_margin && old.count >= kSureCount &&
         std::abs(geo::wrap_pi(reading.bearing - old.bearing)) < 0.5 * spline_.step())
       return 1;
-    if (drop_site(site, h, s, m)) {
+    if (drop_site(site, h, s, m, dropped)) {
       before = old.evidence;
       count = std::min(old.count + 1, kSureCount);
       // The tighter of the two bounds is the one that counts.
@@ -238,7 +236,13 @@ double BoundaryFilter::observe(int slot, const PolarReading& reading, double fal
   if (reading.crossing)
     step = {l.low, l.high, right * false_rate, right * right, right * false_rate};
   const StepMoments after = condition_on_texture(m, s, l.noise, step);
-  correct(Ph_, (after.mean - m) / s, (after.variance - s) / (s * s));
+  x_.noalias() += ((after.mean - m) / s) * Ph_;
+  const double gain = (after.variance - s) / (s * s);
+  if (dropped != 0)
+    add_outer_products(P_, v(0), {Ph_site_, dropped}, {Ph_, gain});
+  else
+    add_outer_product(P_, v(0), {Ph_, gain});
+  changed_ = true;
   if (!reading.crossing) {
     // A false-reading mixture may leave z no better known than before: nothing to keep
     // then.
@@ -286,10 +290,13 @@ void BoundaryFilter::inflate_covariance(double bearing, double extra) {
     Ph_[r(j)] = math::exp(-0.5 * away * away);
   }
   Ph_ /= dot(radius_at(spline_.at(bearing)), Ph_);
-  add_outer(Ph_, extra);
-  Ph_.segment(v(0), n_) = Ph_.segment(r(0), n_);
-  Ph_.segment(r(0), n_).setZero();
-  add_outer(Ph_, extra / math::squared(kRateShare * age_ + 60));
+  const auto bump = Ph_.segment(r(0), n_);
+  const double rate_extra = extra / math::squared(kRateShare * age_ + 60);
+  for (int j = 0; j < n_; ++j) {
+    P_.col(r(j)).segment(r(j), n_ - j).noalias() += (extra * bump[j]) * bump.tail(n_ - j);
+    P_.col(v(j)).tail(n_).noalias() += (rate_extra * bump[j]) * bump;
+  }
+  changed_ = true;
 }
 
 }  // namespace skein::perimeter

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "skein/base/math.h"
@@ -34,10 +35,29 @@ double SweepStrategy::gain(const BoundaryLine& line, std::size_t start, bool clo
                            double t_go, const Seen& seen) const {
   double sum = 0;
   walk(line, start, clockwise, seen.window_m, [&](std::size_t i, double gone) {
-    const double sigma = carried_on(line[i], t_go + gone / options_.follow_speed).sigma;
-    sum += math::pow(options_.seen_again, seen.by[i]) * sigma * line.spacing(i);
+    const double time = t_go + gone / options_.follow_speed;
+    const double sigma = line[i].sigma + time * line[i].sigma_growth;
+    sum += worth_[static_cast<std::size_t>(seen.by[i])] * sigma * line.spacing(i);
   });
   return sum / (t_go + seen.window_m / options_.follow_speed);
+}
+
+// What gain() is at most from a time to go on: as a function of it that is
+// (a + b t) / (t + c), which goes from its first value to b, up or down.
+double SweepStrategy::max_gain(const BoundaryLine& line, std::size_t start,
+                               bool clockwise, double min_t_go, const Seen& seen) const {
+  constexpr double kRounding = 1e-9;  // of the sums, by far
+  double now = 0, growth = 0;
+  walk(line, start, clockwise, seen.window_m, [&](std::size_t i, double gone) {
+    const double worth = worth_[static_cast<std::size_t>(seen.by[i])] * line.spacing(i);
+    const double sigma_growth = line[i].sigma_growth;
+    now += worth * (line[i].sigma + gone / options_.follow_speed * sigma_growth);
+    growth += worth * sigma_growth;
+  });
+  const double time = min_t_go + seen.window_m / options_.follow_speed;
+  if (!(time > 0)) return math::kInfinity;
+  return std::max((now + growth * min_t_go) / time, growth) +
+         kRounding * (std::abs(now) / time + std::abs(growth));
 }
 
 void SweepStrategy::count_seen(const BoundaryLine& line, const AircraftStatus& aircraft,
@@ -65,18 +85,38 @@ SweepStrategy::Arc SweepStrategy::best_arc(const BoundaryLine& line,
   // many points.
   const std::size_t starts = std::max<std::size_t>(48, seen.aircraft);
   const std::size_t stride = std::max<std::size_t>(1, line.size() / starts);
-  Arc best, shared;  // where nobody is yet; where somebody is, too
+  std::vector<Start> unseen, shared;  // where nobody is yet; where somebody is, too
   for (std::size_t i = 0; i < line.size(); i += stride) {
-    if (in_zone(zones, line[i].position)) continue;
-    const double t_go = meet(aircraft, line[i]).t_go;
+    const double t_go = min_time_to_meet(aircraft, line[i]);
+    const double bound = std::max(max_gain(line, i, true, t_go, seen),
+                                  max_gain(line, i, false, t_go, seen));
+    (seen.at[i] > 0 ? shared : unseen).push_back({i, bound});
+  }
+  const Arc best = best_arc_from(unseen, line, aircraft, zones, seen);
+  return best.value > 0 ? best : best_arc_from(shared, line, aircraft, zones, seen);
+}
+
+// The most promising starts first, until no other one can be worth more; of equal ones
+// the first along the line.
+SweepStrategy::Arc SweepStrategy::best_arc_from(std::vector<Start>& starts,
+                                                const BoundaryLine& line,
+                                                const AircraftStatus& aircraft,
+                                                std::span<const Zone> zones,
+                                                const Seen& seen) const {
+  std::ranges::sort(starts, std::ranges::greater{}, &Start::bound);
+  Arc best;
+  for (const auto& [point, bound] : starts) {
+    if (bound < best.value) break;
+    if (in_zone(zones, line[point].position)) continue;
+    const double t_go = meet(aircraft, line[point]).t_go;
     if (!std::isfinite(t_go)) continue;  // the wind keeps it away
-    Arc& found = seen.at[i] > 0 ? shared : best;
     for (const bool clockwise : {true, false}) {
-      const double value = gain(line, i, clockwise, t_go, seen);
-      if (value > found.value) found = {i, clockwise, t_go, value};
+      const double value = gain(line, point, clockwise, t_go, seen);
+      if (value > best.value || (value == best.value && point < best.start))
+        best = {point, clockwise, t_go, value};
     }
   }
-  return best.value > 0 ? best : shared;
+  return best;
 }
 
 std::vector<Assignment> SweepStrategy::assign(const MonitoringSituation& situation) {
@@ -92,6 +132,8 @@ std::vector<Assignment> SweepStrategy::assign(const MonitoringSituation& situati
   seen.aircraft = situation.aircraft.size();
   seen.window_m = std::min(options_.window * options_.follow_speed,
                            line.length() / static_cast<double>(seen.aircraft));
+  while (worth_.size() <= seen.aircraft)
+    worth_.push_back(math::pow(options_.seen_again, static_cast<double>(worth_.size())));
   seen.by.assign(line.size(), 0);
   seen.at.assign(line.size(), 0);
   for (const AircraftStatus& aircraft : situation.aircraft)

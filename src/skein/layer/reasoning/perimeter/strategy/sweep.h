@@ -56,17 +56,29 @@ class SweepStrategy : public MonitoringStrategy {
     std::vector<int> at;  // how many are there now, or en route there
   };
 
+  // A place to begin at, and what no arc from there is worth more than.
+  struct Start {
+    std::size_t point = 0;
+    double bound = 0;
+  };
+
   double gain(const BoundaryLine& line, std::size_t start, bool clockwise, double t_go,
               const Seen& seen) const;
+  double max_gain(const BoundaryLine& line, std::size_t start, bool clockwise,
+                  double min_t_go, const Seen& seen) const;
   void count_seen(const BoundaryLine& line, const AircraftStatus& aircraft, Time now,
                   int change, Seen& seen) const;
   static std::size_t place_of(const BoundaryLine& line, const AircraftStatus& aircraft,
                               const Sweep& sweep, Time now);
   Arc best_arc(const BoundaryLine& line, const AircraftStatus& aircraft,
                std::span<const Zone> zones, const Seen& seen) const;
+  Arc best_arc_from(std::vector<Start>& starts, const BoundaryLine& line,
+                    const AircraftStatus& aircraft, std::span<const Zone> zones,
+                    const Seen& seen) const;
 
   SweepOptions options_;
   std::map<EntityId, Sweep> sweeps_;
+  std::vector<double> worth_;  // of a place that so many others will see
 };
 
 }  // namespace skein::perimeter

@@ -23,4 +23,7 @@ struct Meeting {
 /// which leave less than the square of (rate / airspeed) of the first flight's error.
 Meeting meet(const AircraftStatus& aircraft, const BoundaryPoint& point);
 
+/// A time [s] that `meet(aircraft, point).t_go` is not below, without planning a flight.
+double min_time_to_meet(const AircraftStatus& aircraft, const BoundaryPoint& point);
+
 }  // namespace skein::perimeter

@@ -29,6 +29,7 @@ class Diary : public PerimeterEstimator {
     text_ += "x" + std::to_string(crossing.aircraft.value);
   }
   BoundaryEstimate boundary() const override {
+    ++asked_;
     BoundaryEstimate boundary;
     boundary.time = now_;
     BoundaryPoint point;
@@ -47,6 +48,7 @@ class Diary : public PerimeterEstimator {
     return std::make_unique<Diary>(*this);
   }
   const std::string& text() const { return text_; }
+  int asked() const { return asked_; }  // for its boundary
 
  private:
   void note(Time time, bool inside) {
@@ -56,6 +58,7 @@ class Diary : public PerimeterEstimator {
   std::shared_ptr<Time> furthest_;
   Time now_ = Time::from_ns(-1);
   std::string text_;
+  mutable int asked_ = 0;
 };
 
 FireReading reading(double t, std::uint32_t aircraft, bool inside) {
@@ -150,6 +153,25 @@ TEST(Belief, MovesTheBoundaryOnWithItsRate) {
   const BoundaryEstimate boundary = belief.boundary_at(Time::from_seconds(13));
   EXPECT_NEAR(boundary.rings[0][0].position.x(), 106, 1e-9);
   EXPECT_NEAR(boundary.rings[0][0].sigma, 6.5, 1e-9);
+}
+
+TEST(Belief, AsksForTheBoundaryAgainOnlyAfterNews) {
+  auto diary = std::make_unique<Diary>();
+  const Diary* view = diary.get();
+  Belief belief(std::move(diary), 60);
+  belief.take({heard(10, 0, false)});
+  for (const double t : {10.0, 10.5, 11.0}) {
+    const BoundaryEstimate boundary = belief.boundary_at(Time::from_seconds(t));
+    EXPECT_NEAR(boundary.rings[0][0].position.x(), 100 + 2 * (t - 10), 1e-9);
+  }
+  EXPECT_EQ(view->asked(), 1);
+  belief.take({heard(11, 0, false)});
+  EXPECT_NEAR(belief.boundary_at(Time::from_seconds(11)).rings[0][0].position.x(), 100,
+              1e-9);
+  belief.predict(Time::from_seconds(12));
+  EXPECT_NEAR(belief.boundary_at(Time::from_seconds(12)).rings[0][0].position.x(), 100,
+              1e-9);
+  EXPECT_EQ(view->asked(), 3);
 }
 
 // Orders every aircraft to one place, each time it is asked.

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "skein/base/random.h"
 #include "skein/geo/polygon.h"
 #include "skein/layer/reasoning/perimeter/strategy/boundary_line.h"
 #include "skein/layer/reasoning/perimeter/strategy/ellipse.h"
@@ -233,6 +234,60 @@ TEST(Sweep, PutsNoTwoOfManyAtOnePlace) {
     places.insert({edge.start.x(), edge.start.y()});
   }
   EXPECT_EQ(places.size(), count);
+}
+
+// Aircraft and points of a moving boundary, drawn at random.
+BoundaryPoint random_point(RandomStream& random) {
+  BoundaryPoint point;
+  point.normal = geo::unit(random.uniform(0, 2 * geo::kPi));
+  point.position = random.uniform(0, 3000) * geo::unit(random.uniform(0, 2 * geo::kPi));
+  point.rate = random.uniform(-1, 4);
+  return point;
+}
+
+TEST(TimeToGo, NoPointIsMetBeforeTheLeastTime) {
+  RandomStream random(1, 0, Purpose::kTest);
+  for (int k = 0; k < 5000; ++k) {
+    AircraftStatus aircraft = aircraft_at(0, {0, 0}, random.uniform(0, 2 * geo::kPi));
+    aircraft.nav.wind_N = random.uniform(0, 15) * geo::unit(random.uniform(0, 6));
+    const BoundaryPoint point = random_point(random);
+    EXPECT_LE(min_time_to_meet(aircraft, point), meet(aircraft, point).t_go) << k;
+  }
+}
+
+// The first order of an aircraft alone is worth as much as the best of all arcs.
+TEST(Sweep, PassesOverNoBetterArc) {
+  RandomStream random(2, 0, Purpose::kTest);
+  const SweepOptions options;
+  for (int k = 0; k < 100; ++k) {
+    Scene scene;
+    scene.boundary = circle(random.uniform(100, 3000), 0);
+    for (BoundaryPoint& point : scene.boundary.rings[0]) {
+      point.sigma = random.uniform(1, 50);
+      point.sigma_growth = random.uniform(-0.05, 0.2);
+      point.rate = random.uniform(0, 1);
+    }
+    scene.aircraft = {aircraft_at(0, {random.uniform(-4000, 4000), 0}, 1)};
+    const BoundaryLine line(scene.boundary);
+    const double window = std::min(options.window * options.follow_speed, line.length());
+    double best = 0;
+    for (std::size_t start = 0; start < line.size(); ++start)
+      for (const bool clockwise : {true, false}) {
+        const double t_go = meet(scene.aircraft[0], line[start]).t_go;
+        double sum = 0, gone = 0;
+        std::size_t i = start;
+        do {
+          const double later = t_go + gone / options.follow_speed;
+          sum += carried_on(line[i], later).sigma * line.spacing(i);
+          gone += line.spacing(clockwise ? i : line.next(i, false));
+          i = line.next(i, clockwise);
+        } while (gone < window && i != start);
+        best = std::max(best, sum / (t_go + window / options.follow_speed));
+      }
+    const auto orders = SweepStrategy(options).assign(scene.situation());
+    ASSERT_EQ(orders.size(), 1u);
+    EXPECT_NEAR(orders[0].why[0].value, best, 1e-9 * best) << k;
+  }
 }
 
 TEST(Sweep, LeavesAKnownArcForAnUncertainOne) {
