@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // skein plan fleet: what it takes, what it writes, what it refuses.
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <map>
@@ -98,7 +99,7 @@ TEST_F(PlanFleet, FlightsThatCrossAreKeptApart) {
   std::set<std::string> lines;
   for (const auto& feature : map["features"])
     if (feature["geometry"]["type"] == "LineString")
-      lines.insert(feature["properties"].value("name", ""));
+      lines.insert(feature["properties"].value("plan", ""));
   for (int i = 1; i <= 8; ++i)
     EXPECT_TRUE(lines.contains("uav-" + std::to_string(i))) << i;
   EXPECT_NE(read_file(folder_ / "f.kml").find("uav-8"), std::string::npos);
@@ -191,12 +192,14 @@ TEST_F(PlanFleet, ASignalEndsIt) {
   std::string text = kHead;
   for (int i = 0; i < 200; ++i)
     text += "a" + std::to_string(i) + ",0,0,0,2000,0,0,0,86400\n";
-  write("many.csv", text);
+  // The table comes by a pipe: once it is read the program listens to signals.
+  ASSERT_EQ(mkfifo((folder_ / "many.csv").c_str(), 0600), 0);
   write("f.csv", "what was there");
   const pid_t child =
       start({"plan", "fleet", "many.csv", "--airspeed", "15", "--turn-radius", "60",
              "--altitude-m", "300", "--zones", "ring.geojson", "--out", "f.csv"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  write("many.csv", text);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
   kill(child, SIGINT);
   const Finished ended = finish(child);
   EXPECT_EQ(ended.status, 130) << ended.err;
