@@ -31,7 +31,7 @@ Result<OutputPlace> output_place(const std::filesystem::path& file);
 /// descriptor has received already). What a symbolic link names is written, the link
 /// stays.
 /// Fails: kUnavailable when it cannot be written; then a regular file has its old
-/// content.
+///        content.
 Result<void> write_file(const std::filesystem::path& file, std::string_view text);
 Result<void> write_file(const std::filesystem::path& file,
                         std::span<const std::byte> bytes);

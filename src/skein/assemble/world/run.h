@@ -50,7 +50,7 @@ struct QuietRun {
 /// Builds a scenario, runs it and gives its key figures; writes nothing. One that goes by
 /// the wall clock is run in real time, whatever its speed is to be.
 /// Fails: as build(), open_links() and simulation::run(); kInterrupted when stopped
-/// early.
+///        early.
 Result<record::RunSummary> run_quietly(const scenario::Scenario& scenario,
                                        const KindRegistry& kinds, const QuietRun& how);
 

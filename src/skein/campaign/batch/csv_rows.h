@@ -49,7 +49,7 @@ class CsvRow {
 /// @param name      of the text, for messages.
 /// @param required  columns that must exist, in any order among others.
 /// @returns all problems, those that `use` reports included; after 100 of them reading
-/// ends.
+///          ends.
 std::vector<Error> read_csv(std::istream& in, const std::string& name,
                             std::span<const std::string_view> required,
                             const std::function<void(CsvRow&)>& use);

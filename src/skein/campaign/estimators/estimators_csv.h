@@ -29,8 +29,7 @@ namespace skein::campaign {
 ///
 /// @param name  of the input, for messages.
 /// @returns problems, each with place "name:line" and the column; if there are any,
-/// nothing
-///          is written.
+///          nothing is written.
 std::vector<Error> evaluate_cases(std::istream& in, const std::string& name,
                                   std::ostream& out);
 

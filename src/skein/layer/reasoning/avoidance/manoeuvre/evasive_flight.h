@@ -16,9 +16,9 @@ struct EvasiveFlight {
 };
 
 /// Of the manoeuvres that an aircraft can fly at once (candidates() of the strengths 1
-/// and 1.7, and turns of 20 to 130 degrees to either side),
-/// the one that meets others last: of those that meet nobody within a minute the
-/// cheapest. For when no flight without a meeting has been found in time.
+/// and 1.7, and turns of 20 to 130 degrees to either side), the one that meets others
+/// last: of those that meet nobody within a minute the cheapest. For when no flight
+/// without a meeting has been found in time.
 ///
 /// @param conflict   what the flight meets; the flight goes to the end of its plan.
 /// @param others     all flights to be kept apart from.
