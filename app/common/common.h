@@ -16,8 +16,7 @@ namespace skein::app {
 /// Skein's own kinds and those of plugins. What cannot be loaded is said on standard
 /// error; then there are none.
 /// @param trusted  folders of the command line whose scenarios may load libraries and
-/// start
-///                 programs (trust.h).
+///                 start programs (trust.h).
 std::optional<assemble::KindRegistry> load_kinds(
     const std::vector<std::string>& plugins,
     const std::vector<std::string>& trusted = {});

@@ -279,6 +279,10 @@ int plan_fleet_command(const PlanFleetArguments& arguments,
   defaults.latest_start = arguments.latest_start;
   const auto table = exchange::read_fleet_table(text, arguments.cases, defaults);
   if (!table) return say_error(table.error());
+  if (!table.value().has_altitude)
+    return say_error({ErrorCode::kBadInput, "--altitude-m",
+                      "is needed: rooms have a height, and flights keep apart by it too.",
+                      "Give it, or start_altitude_m and goal_altitude_m."});
   const exchange::Known known{setting.value().frame.has_value(),
                               table.value().has_altitude, table.value().rows.size()};
   if (auto good = check_formats(arguments.output, known); !good)

@@ -12,7 +12,8 @@ namespace {
 constexpr const char* kFleetExamples = R"(
 The table has a header line and a row for each aircraft, those of higher priority first:
   name,start_north_m,start_east_m,start_heading_deg,goal_north_m,goal_east_m,goal_heading_deg
-and, where wanted, start_altitude_m, goal_altitude_m, earliest_start_s, latest_start_s;
+and, where wanted, start_altitude_m, goal_altitude_m (default: --altitude-m),
+earliest_start_s, latest_start_s;
 ..._latitude_deg and ..._longitude_deg in place of ..._north_m and ..._east_m.
 
 Examples:

@@ -29,8 +29,7 @@ struct ReadSetting {
 
 /// Reads the setting. The origin is that of --origin, else `elsewhere` if there is one.
 /// Fails: kBadInput for what is missing, not a number or not allowed; wind at or above
-/// the
-///        airspeed.
+///        the airspeed.
 Result<ReadSetting> read_setting(const PlanSetting& given,
                                  const std::optional<geo::Geodetic>& elsewhere);
 

@@ -49,7 +49,7 @@ RunFacts facts_of(const scenario::Scenario& scenario,
 class RunPage {
  public:
   /// Fails: kNotFound or kBadInput for the files of the options, kUnavailable for the
-  /// port.
+  ///        port.
   static Result<std::unique_ptr<RunPage>> open(const ServeOptions& options,
                                                const RunFacts& facts);
   ~RunPage();

@@ -47,7 +47,7 @@ campaign::ScenarioReader reader_of(assemble::KindRegistry& kinds,
 /// Made when there is something to put into it: what is refused leaves nothing behind.
 /// Until it ends, this program is the only one that writes there.
 /// Fails: kUnavailable when it cannot be made; kBadInput when another program writes
-/// there.
+///        there.
 Result<void> make_folder(const std::filesystem::path& folder);
 
 /// On standard output, in columns.

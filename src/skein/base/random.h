@@ -56,8 +56,7 @@ enum class Purpose : std::uint32_t {
 class RandomStream {
  public:
   /// @param instance  distinguishes several of one purpose, such as two equal sensors of
-  /// one
-  ///                  aircraft; below 65,536. The first one is 0, so that another one
+  ///                  one aircraft; below 65,536. The first one is 0, so that another one
   ///                  does not change its numbers.
   RandomStream(std::uint64_t seed, std::uint32_t entity, Purpose purpose,
                std::uint32_t instance = 0);

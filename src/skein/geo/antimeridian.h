@@ -26,7 +26,7 @@ struct CutPoint {
 ///
 /// @param points  two or more in the plane of `frame` [m].
 /// @returns       one part or more, of two points or more. One part where nothing
-/// crosses.
+///                crosses.
 std::vector<std::vector<CutPoint>> cut_line(std::span<const Vec2> points,
                                             const LocalFrame& frame);
 

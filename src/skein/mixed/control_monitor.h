@@ -36,7 +36,7 @@ class ControlMonitor {
   };
 
   /// @param hovers  a multirotor, which lands in a mode of its own; else by a mission
-  /// too.
+  ///                too.
   explicit ControlMonitor(bool hovers) : hovers_(hovers) {}
 
   /// A request has gone out: the modes that it leads to are asked for.

@@ -33,8 +33,7 @@ class PositionMonitor {
 
   /// Once a step of the run.
   /// @param link_up  else the loss of the link says it all. On the ground nothing is
-  /// said:
-  ///                 where it is, is checked before its take-off.
+  ///                 said: where it is, is checked before its take-off.
   void step(Time now, const VehicleCondition& condition, bool link_up,
             std::vector<VehicleEvent>& events);
 

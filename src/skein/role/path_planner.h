@@ -25,7 +25,7 @@ struct PlanningBudget {
   /// it any more.
   std::function<bool()> stop = {};
   /// Asked now and then; true ends the search as soon as there is a path, or after
-  /// `first_states` expansions without one. For a limit of time: a machine under load
+  /// `first_expansions` without one. For a limit of time: a machine under load
   /// gives a worse path then, never none.
   std::function<bool()> enough = {};
   std::int64_t first_expansions = 100'000;
@@ -84,7 +84,7 @@ struct PlannedPath {
   double duration = std::numeric_limits<double>::infinity();  ///< of the plan [s]
   /// No path of bounded curvature is quicker than this [s].
   double bound = 0;
-  std::int64_t expansions = 0;  ///< expansions
+  std::int64_t expansions = 0;  ///< that it took
   /// Near a blocked start or goal, the nearest place found that is not.
   std::optional<FlightState> alternative = std::nullopt;
 };

@@ -22,7 +22,7 @@ class ObjectMotions {
 
   /// @param view      with all aircraft.
   /// @param physical  with those that exist in reality: physical objects notice no
-  /// others.
+  ///                  others.
   void advance(const ObjectView& view, const ObjectView& physical);
 
   /// What is remembered of the physical ones, for whoever is not there: until the next

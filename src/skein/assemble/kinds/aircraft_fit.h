@@ -18,9 +18,9 @@ std::size_t station_of(const scenario::Scenario& scenario,
 Time heartbeat(const scenario::Scenario& scenario, const scenario::Station& station);
 
 /// What of a ready aircraft does not go together, all of it: an altitude where the air
-/// does not carry it, sensors that its autopilot
-/// cannot fly by, gains for another airframe, failsafes that would act at once for ever,
-/// a fence that it starts outside of.
+/// does not carry it, sensors that its autopilot cannot fly by, gains for another
+/// airframe, failsafes that would act at once for ever, a fence that it starts outside
+/// of.
 ///
 /// @param kinds     that the scenario was read with. Sensors of plugins may serve any
 ///                  autopilot: what they measure is not known here.

@@ -55,8 +55,7 @@ struct DrivenBody {
 
 /// @param system     MAVLink system id of the vehicle.
 /// Fails: kBadInput for a plant without actuators, for steps that do not fit, outputs
-/// that
-///        move nothing, and faults of sensors that are not here.
+///        that move nothing, and faults of sensors that are not here.
 Result<DrivenBody> driven_body(const PhysicsChoice& choice, int system,
                                const VehicleContext& context);
 

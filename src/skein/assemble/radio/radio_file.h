@@ -40,8 +40,7 @@ std::span<const BuiltInRadio> built_in_radios();
 /// @param folder  where a relative path starts.
 /// @param parts   that it may name
 /// Fails: no such radio or file; parts that cannot be made; everything that is wrong with
-/// the file, in one message
-///        of several lines.
+///        the file, in one message of several lines.
 Result<RadioFile> load_radio(const std::string& name_or_path,
                              const std::filesystem::path& folder,
                              const RadioParts& parts);

@@ -34,7 +34,7 @@ struct RelayProfile {
 /// (`to_b.loss=0.1`).
 ///
 /// Fails: no such file; everything that is wrong with it, in one message of several
-/// lines.
+///        lines.
 Result<RelayProfile> load_relay_profile(const std::filesystem::path& file,
                                         const std::vector<std::string>& overrides);
 

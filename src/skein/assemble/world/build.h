@@ -69,8 +69,7 @@ struct Build {
 /// @param kinds     that the scenario was read with; the world does not need them any
 ///                  more.
 /// @param recorded  what vehicles that are not simulated said in a run that is done
-/// again;
-///                  without, they speak for themselves.
+///                  again; without, they speak for themselves.
 /// Fails: what terrain, wind or fire cannot be made from; an aircraft that starts inside
 ///        terrain or a no-fly zone.
 Result<Build> build(const scenario::Scenario& scenario, const KindRegistry& kinds,

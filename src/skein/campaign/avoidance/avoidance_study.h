@@ -36,7 +36,7 @@ struct AvoidanceStudy {
 
 /// A run for each case.
 /// Fails: kBadInput for a method, plant or tracks that do not exist, or wind as strong as
-/// an airspeed.
+///        an airspeed.
 Result<StudyPlan> plan_avoidance_study(const AvoidanceStudy& study,
                                        const ScenarioReader& reader);
 

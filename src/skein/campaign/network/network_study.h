@@ -55,8 +55,7 @@ struct NetworkStudyPlan {
 /// All cases of the study. Items have no scenario but its seed; their text is the
 /// caller's to give.
 /// Fails: kBadInput when nodes or profiles are named twice, there are fewer than two
-/// nodes
-///        or more than 2500, or the case ends before its warm-up does.
+///        nodes or more than 2500, or the case ends before its warm-up does.
 Result<NetworkStudyPlan> plan_network_study(const NetworkStudy& study);
 
 /// Names of the figures of a case, as runs.csv has them.

@@ -20,7 +20,7 @@ namespace skein {
 /// that names have none.
 ///
 /// Fails: kBadInput when the line is none of these, or when error_in() rejects the zone
-/// that it draws.
+///        that it draws.
 Result<ZoneChange> parse_zone_command(std::string_view line);
 
 }  // namespace skein

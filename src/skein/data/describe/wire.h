@@ -27,12 +27,10 @@
 /// The binary form in which described values travel: docs/wire.md.
 ///
 ///   struct    length, then its fields in order; a reader that knows fewer passes over
-///   the
-///             rest, one that knows more keeps its defaults
+///             the rest, one that knows more keeps its defaults
 ///   choice    number of the alternative, then the alternative with its length
 ///   integer   LEB128, signed ones in zigzag; Time and floating-point numbers as they
-///   are,
-///             little-endian; text and lists with their count before them
+///             are, little-endian; text and lists with their count before them
 ///
 /// A coded value begins with a byte that says the version of these rules.
 namespace skein::wire {
@@ -433,7 +431,7 @@ Error bad_bytes(const char* wrong);
 
 /// The value that was coded.
 /// Fails: kBadInput for bytes that are of another version, end too early or make no
-/// sense.
+///        sense.
 template <class T>
 Result<T> decode(std::span<const std::byte> bytes) {
   if (bytes.empty()) return bad_bytes("it ends too early");

@@ -19,8 +19,8 @@ namespace skein::exchange {
 ///
 /// @param place     of the text, for messages.
 /// @param warnings  gets one line for all items that have no place of their own to fly
-/// to. Fails: kBadInput for text that is no such plan (an older .mission among them), and
-/// for
+///                  to.
+/// Fails: kBadInput for text that is no such plan (an older .mission among them), and for
 ///        places that are no latitude and longitude or over 1000 km from the origin.
 Result<std::vector<MapFeature>> read_ground_plan(std::string_view text,
                                                  const std::string& place,

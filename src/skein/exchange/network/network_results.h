@@ -32,8 +32,7 @@ struct NetworkSummary {
 };
 
 /// @param warm_up  messages created before it do not count, and goodput is that of what
-/// is
-///   received from then on; frames and airtime are those of the whole case
+///   is received from then on; frames and airtime are those of the whole case
 NetworkSummary summarize(const NetworkCase& network, const NetworkResult& result,
                          Time warm_up = Time());
 

@@ -39,8 +39,7 @@ struct TourCase {
 /// @param place         the file, as messages call it.
 /// @param idle_allowed  whether aircraft may stay without a task.
 /// Fails: kBadInput with the place of the first problem, what is allowed, and how many
-/// more
-///        there are: unknown keys, numbers out of range, ids twice or unknown.
+///        more there are: unknown keys, numbers out of range, ids twice or unknown.
 Result<std::vector<CoalitionCase>> read_coalition_cases(std::string_view text,
                                                         const std::string& place,
                                                         bool idle_allowed);

@@ -103,7 +103,7 @@ inline constexpr std::size_t kMaxDatagram = 32'000;
 void encode(const Datagram& datagram, std::vector<std::byte>& out);
 
 /// Fails: kBadInput for bytes that are no datagram of this version, or whose numbers make
-/// no sense.
+///        no sense.
 Result<Datagram> decode_datagram(std::span<const std::byte> bytes);
 
 }  // namespace skein::modem

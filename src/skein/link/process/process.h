@@ -46,9 +46,8 @@ class ChildProcess {
   using Clock = std::chrono::steady_clock;
 
   /// Fails: kNotFound for a program or folder that is not there, kBadInput for a file
-  /// that
-  ///        cannot be run, kUnavailable for a log that cannot be written or when there
-  ///        can be no more processes.
+  ///        that cannot be run, kUnavailable for a log that cannot be written or when
+  ///        there can be no more processes.
   static Result<ChildProcess> start(const Program& program);
 
   ChildProcess(ChildProcess&& other) noexcept;

@@ -35,8 +35,7 @@ class ChannelListener {
 
 /// Whether only programs of this machine are at the far end of a channel.
 /// @param name  as ChannelListener::opened() has it: the peer of a server, or the place
-/// of
-///              a client. A serial line is a way out of the machine, a pseudo-terminal
+///              of a client. A serial line is a way out of the machine, a pseudo-terminal
 ///              not.
 bool is_local_channel(const std::string& name);
 

@@ -18,7 +18,7 @@ namespace skein::vehicle_links {
 class ShownMode {
  public:
   /// @param commanded     flown by what ground stations ask for; else guided by its
-  /// agent.
+  ///                      agent.
   /// @param stays_guided  a take-off is a part of guided flight, which goes on after it,
   ///                      as with ArduPilot's multirotors; others hold where it ended.
   ShownMode(bool commanded, bool stays_guided)

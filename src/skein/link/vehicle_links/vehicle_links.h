@@ -123,8 +123,7 @@ class VehicleLinks final : public transport::ChannelListener {
   /// Opens the endpoints, if there are any, and begins.
   /// @returns  where servers wait, with the ports that they have got.
   /// Fails: kBadInput where an endpoint cannot be opened, is for vehicles and stations,
-  /// or
-  ///        a simulated vehicle would have the number of a real one there.
+  ///        or a simulated vehicle would have the number of a real one there.
   Result<std::vector<std::string>> start();
 
  private:

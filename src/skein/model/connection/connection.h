@@ -62,9 +62,8 @@ struct Connection {
 ///
 /// @param from, to  positions over ground and *headings* of the air-relative velocity.
 /// @returns  found whenever |wind| < airspeed, everything is finite and the goal is
-/// within
-///           1e9 turn radii (beyond, doubles do not distinguish places a turn apart); the
-///           parts, flown, end at the goal to rounding.
+///           within 1e9 turn radii (beyond, doubles do not distinguish places a turn
+///           apart); the parts, flown, end at the goal to rounding.
 /// Cost:     no allocation.
 /// Reference: docs/connection.md (derivation); [McGee05].
 Connection connect(const Pose& from, const Pose& to, const AirMotion& air);

@@ -68,9 +68,9 @@ double length_to_breadth(double wind);
 ///   length = (head + back) / 2,  width = length / LB,  drift = (head - back) / 2
 ///
 /// @param wind      of the field over ground [m/s], towards where it blows; u =
-/// wind_reduction wind.
+///                  wind_reduction wind.
 /// @param gradient  of the ground, d elevation / d(north, east); theta its angle, at most
-/// 45 deg.
+///                  45 deg.
 /// @param fuel      factor of the rate, >= 0; 0 does not burn.
 /// @returns         finite for finite arguments; wind and |phi| / k count up to 60 m/s.
 /// Reference: [McArthur67] for slope, [Rothermel72] for the sum 1 + phi, [Finney98] for

@@ -38,8 +38,7 @@ class BandMaker {
   /// corrective volume about one intruder, to 0.5 s.
   ///
   /// @returns  [s] from now, of straight flight; infinity: there is no conflict within
-  /// the
-  ///           lookahead; -infinity: it is too late.
+  ///           the lookahead; -infinity: it is too late.
   double last_time(ManoeuvreKind kind, const AircraftMotion& own,
                    const Intruder& intruder);
 

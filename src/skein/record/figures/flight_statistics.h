@@ -33,10 +33,9 @@ class FlightStatistics {
   /// stand on the ground in the end, having flown, without an accident; where none does
   /// it is left out), and where there is something to say `cross_track_rms_m`,
   /// `position_error_rms_m` (horizontal, of the estimates against the truth of their
-  /// times),
-  /// `outside_programs_ended` and `outside_programs_gone` (that ended by themselves, and
-  /// those of them that were not there in the end) and `min_charge`. Per aircraft, by its
-  /// name, `min_reserve_<name>` once something was known of it.
+  /// times), `outside_programs_ended` and `outside_programs_gone` (that ended by
+  /// themselves, and those of them that were not there in the end) and `min_charge`. Per
+  /// aircraft, by its name, `min_reserve_<name>` once something was known of it.
   void add_figures(std::map<std::string, double>& figures,
                    const std::function<std::string(EntityId)>& name_of) const;
 

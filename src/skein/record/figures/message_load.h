@@ -39,7 +39,7 @@ struct SentMessages {
 
 /// Reads them from the run in `directory`, also of one that was cut off.
 /// Fails: kNotFound without a database; kBadInput when it is damaged, of another version,
-/// or has kept no messages.
+///        or has kept no messages.
 Result<SentMessages> read_sent_messages(const std::filesystem::path& directory);
 
 /// A part of a run.

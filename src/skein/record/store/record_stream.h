@@ -28,7 +28,7 @@ class RecordStream {
 
   /// Opens the run in `directory`; one that is still being written, or was cut off, too.
   /// Fails: kNotFound without a database; kBadInput when it is damaged or of another
-  /// kind.
+  ///        kind.
   static Result<RecordStream> open(const std::filesystem::path& directory);
   RecordStream(RecordStream&&) noexcept;
   RecordStream& operator=(RecordStream&&) noexcept;

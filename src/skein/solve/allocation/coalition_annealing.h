@@ -9,7 +9,7 @@ namespace skein::solve {
 /// places; temperature 0.5 to 0.001; then by polish_coalitions().
 ///
 /// @param task      where it begins, by aircraft; replaced by the best found, never
-/// worse.
+///                  worse.
 /// @param instance  which of several searches of one seed this is.
 /// @returns         moves tried.
 std::int64_t anneal_coalitions(const CoalitionProblem& problem, const Effort& effort,

@@ -54,8 +54,7 @@ double utility_of(const CoalitionProblem& problem, const std::vector<std::size_t
 /// @param effort  iterations: moves of annealing in all; 0: 5 starts of 2,000 moves for
 ///                each aircraft.
 /// Fails:     Bug when a list is not as long as there are aircraft, a number is not
-/// finite,
-///            or there are aircraft that may not be idle and no task.
+///            finite, or there are aircraft that may not be idle and no task.
 /// Reference: spec of the team, section 11; [Barnhart98] for branch and price.
 CoalitionAnswer best_coalitions(const CoalitionProblem& problem, const Effort& effort);
 

@@ -89,9 +89,8 @@ struct SequenceAnswer {
 ///
 /// @param effort  iterations: moves of annealing; 0: 3 million.
 /// Fails:     kBadInput for numbers that make no sense, tasks that nobody may do,
-/// relations
-///            and orders of tasks that do not exist or follow themselves, or more than
-///            256 selections.
+///            relations and orders of tasks that do not exist or follow themselves, or
+///            more than 256 selections.
 /// Cost:      14 tasks and 5 aircraft some 40 ms.
 /// Reference: spec of the team, section 11; [Held62] for the dynamic program.
 Result<SequenceAnswer> best_sequences(const SequenceProblem& problem,

@@ -90,7 +90,7 @@ CoalitionTask satisfaction_row(const TeamTask& task,
 /// The problem with straight distances: joining costs `delta` for each metre to the task.
 ///
 /// @param delta  [1/m]; 0: 1 / (1.001 times the longest distance), so that each is
-/// below 1.
+///               below 1.
 CoalitionProblem coalition_problem(const std::vector<TeamAircraft>& aircraft,
                                    const std::vector<TeamTask>& tasks, double delta,
                                    bool idle_allowed);

@@ -18,7 +18,7 @@ enum class Detail { kCoarse, kFine };
 /// - Fine: the first that a best-first search finds, which weighs the time left by 3.
 /// @returns  a free trajectory, or nothing.
 /// Cost: of n waypoints per place at most 2 n^2 links per place; fine mostly a small
-/// part.
+///       part.
 std::optional<Trajectory> follow_detour(const Detour& detour, const AirspaceMap& map,
                                         SearchBudget& budget, Detail detail);
 

@@ -19,7 +19,7 @@ struct Link {
 
 /// The link, circling no longer than climbing needs.
 /// @param wait  to circle at least before the path is begun [s]: 0 or a full turn or
-/// more.
+///              more.
 /// Cost: one connection; with circling in wind some more.
 Link link(const FlightState& from, const FlightState& to, const PathQuery& query,
           double wait = 0);

@@ -70,7 +70,7 @@ struct Detours {
 /// @param map  what straights and arcs must keep out of, as flown without wind at the
 ///             altitude that changes evenly over the route.
 /// Cost:     of N circles at most N^2 tangents at each of at most 4 N^2 nodes;
-///           in practice a small part. Looks at no more than `budget.states`.
+///           in practice a small part. Looks at no more than `budget.expansions`.
 Detours find_tangent_paths(const AirspaceMap& map,
                            std::span<const CircularObstacle> obstacles,
                            const GroundSpeed& speed, const DetourRequest& request,

@@ -46,8 +46,7 @@ std::vector<ParameterError> errors(const GroundContactParameters& parameters);
 ///               positive; the yaw rate is pulled towards steer times the speed along the
 ///               body.
 /// @returns      kCrash when a limit is passed at the touch, with the state as it hit;
-/// the
-///               speed limit counts only when it comes from the air.
+///               the speed limit counts only when it comes from the air.
 /// Valid: level ground at that height; no spring, no bounce.
 Contact touch_ground(const GroundContactParameters& parameters, VehicleState& state,
                      double ground_msl, double dt, double brake = 0, double steer = 0);

@@ -60,14 +60,13 @@ FixedWingMotion motion_of(const NavState& nav,
 ///   airspeed, without regard to the times.
 /// - FlyWaypoints: straight legs, corners rounded at the radius the wind allows.
 /// - Circle, HoldPosition: not tighter than the wind allows at the slowest airspeed
-/// (hold:
-///   at cruise).
+///   (hold: at cruise).
 /// - HoldBank: that bank, as far as its limit allows.
 /// - TakeOff: run along the start's course until take_off_speed, straight climb to
 ///   climb_out_height, then circling up to the altitude.
 /// - Land: see Landing.
 /// - Return: to the point or home, at the commanded altitude but return_height above the
-/// start at least.
+///   start at least.
 ///
 /// Until the first command it circles home.
 class FixedWingGuidance {

@@ -115,8 +115,7 @@ Sight l2_plus_sight(const L2PlusOptions& options);
 /// evenly.
 ///
 /// @param line  anything with `TrackPoint at(double ahead)`: its point `ahead` metres
-/// from
-///              the nearest one.
+///              from the nearest one.
 template <class Line>
 double sight_law(const Sight& sight, const Line& line, const model::TrackPoint& nearest,
                  double cross_track, const GroundMotion& motion) {

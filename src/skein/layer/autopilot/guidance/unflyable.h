@@ -17,16 +17,14 @@ namespace skein::autopilot {
 /// slowest sqrt(1.225 kg/m^3 / density) is the minimum there, give or take 3 %. Then
 ///
 /// - turns of a path, circles: the lateral acceleration that the turn needs over ground
-/// at
-///   the slowest airspeed, V_g^2 / R / cos(drift angle), is at most that of the bank
+///   at the slowest airspeed, V_g^2 / R / cos(drift angle), is at most that of the bank
 ///   limit a_max = airspeed^2 / turn_radius, at every course of the turn;
 /// - straight lines, courses: some ground speed along them is left at the fastest
-/// airspeed;
+///   airspeed;
 /// - plans: not empty, times grow, and at 16 instants of each segment: airspeed that
-/// makes
-///   good its velocity, |v - wind|, within [slowest, fastest] give or take 3 %; climb and
-///   sink within their limits, give or take 10 %; turns as above, at the plan's own
-///   speed; climbs and turns as they are or on the mean of the second around;
+///   makes good its velocity, |v - wind|, within [slowest, fastest] give or take 3 %;
+///   climb and sink within their limits, give or take 10 %; turns as above, at the plan's
+///   own speed; climbs and turns as they are or on the mean of the second around;
 /// - waypoints: at least one, at least one lap, legs no steeper than the vehicle climbs
 ///   and sinks at the slowest airspeed, and no two in a row above one another.
 ///

@@ -92,8 +92,8 @@ struct Abilities {
 ///   no attitude           hold, return, land -> descend (motors off, surfaces at trim)
 ///   a motor stands        hold, return, land -> descend (a fixed wing glides in circles)
 ///   no position           land -> descend;  return -> hold (fixed wing, by dead
-///   reckoning)
-///                         hold, return -> descend (multirotor, with level attitude)
+///                         reckoning);  hold, return -> descend (multirotor, with level
+///                         attitude)
 ///   home is out of reach  land -> descend
 ///
 /// kNone and kDescend can always be done.

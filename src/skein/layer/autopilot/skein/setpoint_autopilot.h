@@ -48,7 +48,7 @@ class SetpointAutopilot final : public Autopilot {
 
 /// The setup for a vehicle of these limits.
 /// @param airframe  a multirotor's own; anything else is taken as what holds its
-/// attitude.
+///                  attitude.
 std::shared_ptr<const SkeinSetup> setpoint_setup(const SkeinOptions& options,
                                                  const FlightLimits& limits,
                                                  const Airframe& airframe);

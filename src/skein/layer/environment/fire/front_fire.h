@@ -31,7 +31,7 @@ struct FrontFireOptions {
 };
 
 /// Fails: kBadInput when a value is not finite or outside its range, or nothing ever
-/// burns.
+///        burns.
 Result<void> check(const FrontFireOptions& options);
 
 /// A fire that spreads by the local fuel, wind and slope (model/front): fronts merge, and

@@ -41,9 +41,8 @@ struct PerimeterFileOptions {
 /// Geometry that is no area and no line is left out; that and all that is assumed is
 /// reported in `warnings`.
 /// Fails: kNotFound for what is missing; kBadInput: not readable, no coordinate system,
-/// no
-///        time, coordinates that are not finite or no latitude and longitude, over five
-///        million points.
+///        no time, coordinates that are not finite or no latitude and longitude, over
+///        five million points.
 Result<RawSeries> read_perimeters(const std::string& path,
                                   const PerimeterFileOptions& options,
                                   std::vector<std::string>& warnings);

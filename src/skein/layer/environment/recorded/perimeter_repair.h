@@ -50,8 +50,7 @@ geo::Region repaired(const RawPerimeter& raw, const RepairOptions& options,
 ///
 /// The first perimeter's time becomes 0 (its old time is added to `first_time`).
 /// Fails: kBadInput when nothing burns in any, `skip` names what is not there, or an
-/// outlier
-///        is to be refused.
+///        outlier is to be refused.
 Result<std::vector<Perimeter>> growing_series(std::vector<RawPerimeter> raw,
                                               const RepairOptions& options,
                                               const std::string& place,

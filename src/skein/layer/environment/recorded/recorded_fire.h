@@ -38,8 +38,7 @@ struct RecordedFireOptions {
 /// A recorded fire as truth, from dated perimeters or an arrival-time raster.
 /// @param warnings  gets one line for each repair.
 /// Fails: kNotFound, kBadInput: as read_perimeters(), growing_series() and read_grid();
-/// also
-///        for options out of range, such as a start after the last perimeter.
+///        also for options out of range, such as a start after the last perimeter.
 Result<std::unique_ptr<Phenomenon>> make_recorded_fire(
     const RecordedFireOptions& options, const geo::LocalFrame& frame,
     std::vector<std::string>& warnings);

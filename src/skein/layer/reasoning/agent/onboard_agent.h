@@ -41,8 +41,7 @@ struct OnboardAgentOptions {
 /// always have something to fly (PlannerChain); without messages it goes on with the last
 /// task, and before the first it circles where it began. It sends the readings of its
 /// fire sensor and a report each second to the station, fewer where the air is full
-/// (ReportRate). It takes off first, as long as no
-/// no-fly zone forbids it (FlightSafety).
+/// (ReportRate). It takes off first, as long as no no-fly zone forbids it (FlightSafety).
 ///
 /// As a member of a team that leads itself it flies what that gives it (OnboardTeam), by
 /// the same executors; an order of the station goes before.

@@ -26,10 +26,10 @@ struct ZoneAvoidanceOptions {
 /// flight of the next seconds ends with such a circle; otherwise the nearest allowed
 /// course is taken, on the same side as long as the conflict lasts, so that the aircraft
 /// follows the border; when there is none, it flies the circle. Who is on a circle that
-/// keeps the margin stays on it. Wings take time to bank,
-/// most from one side to the other: turns begin as its present bank allows. In an
-/// aircraft that starts within the margin, leaving it comes first. Valid: wind changes
-/// during one circle are covered by `margin` only.
+/// keeps the margin stays on it. Wings take time to bank, most from one side to the
+/// other: turns begin as its present bank allows. In an aircraft that starts within the
+/// margin, leaving it comes first.
+/// Valid: wind changes during one circle are covered by `margin` only.
 ///
 /// Only zones count that forbid an altitude between that of the aircraft and the
 /// commanded one, `vertical_margin` above and below included, at a time from now to

@@ -35,7 +35,7 @@ class GroupNegotiation {
   enum class State { kOpen, kAgreed, kFailed };
 
   /// @param name   of the group: its coordinator, who may be `self`, and its number
-  /// there.
+  ///               there.
   /// @param own    the own flight.
   /// @param delay  of messages among the members, one way, the longest [s].
   GroupNegotiation(EntityId self, const NegotiationName& name,

@@ -37,8 +37,8 @@ struct CoordinatorOptions {
   Time record_period = Time::from_seconds(5);
 };
 
-/// A perimeter mission: keeps the belief from all readings,
-/// runs the deployment phase, lets the strategy decide, and orders the aircraft about.
+/// A perimeter mission: keeps the belief from all readings, runs the deployment phase,
+/// lets the strategy decide, and orders the aircraft about.
 ///
 /// Deployment: each aircraft flies its transect until its first crossing, towards the
 /// origin from where it is, on a given course, or from an entry on its own side; then it

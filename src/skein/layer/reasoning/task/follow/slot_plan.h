@@ -33,11 +33,11 @@ PlanPoint slot_at(const LeaderMotion& leader, const Vec2& offset, double after);
 ///   c(e) = sign(e) min(k_a |e|, sqrt(2 a |e|))
 ///
 /// where e is the distance to the slot along the leader's course and across it, and a a
-/// deceleration that slow aircraft have too; its airspeed
-/// keeps within [slowest, fastest] and changes slowly, its lateral acceleration keeps
-/// below the bank limit. So what cannot be kept (the slot outside of a turn may be faster
-/// than any aircraft) is caught up as fast as the follower flies, and the plan can always
-/// be flown. What can hover (slowest = 0) moves to any side instead.
+/// deceleration that slow aircraft have too; its airspeed keeps within [slowest, fastest]
+/// and changes slowly, its lateral acceleration keeps below the bank limit. So what
+/// cannot be kept (the slot outside of a turn may be faster than any aircraft) is caught
+/// up as fast as the follower flies, and the plan can always be flown. What can hover
+/// (slowest = 0) moves to any side instead.
 ///
 /// @param own      the follower; its wind is the wind of the plan.
 /// @returns        points from own.time on.

@@ -16,8 +16,8 @@ namespace skein::reasoning {
 /// A team to which things happen by chance, as a seed says: the radio is bad, and parts
 /// and joins them; members and the station are lost and come back, the operator or a
 /// failsafe takes aircraft, tasks come up, some after others, are withdrawn, or turn out
-/// to be impossible. After some of it
-/// the radio is quiet for one re-selection, and all must be as the model says.
+/// to be impossible. After some of it the radio is quiet for one re-selection, and all
+/// must be as the model says.
 class RandomTeam {
  public:
   struct Size {
