@@ -292,7 +292,7 @@ constexpr auto describe(const TeamState*) {
 /// the second time, that the mission is split between them.
 struct TeamMerge {
   TeamMission mission;            ///< of the sender
-  TeamEncounter encounter;        ///< this one included
+  TeamEncounter meeting;          ///< this one included
   bool split = false;             ///< both stay
   std::vector<EntityId> members;  ///< of the sender, itself included
 };
@@ -301,7 +301,7 @@ constexpr auto describe(const TeamMerge*) {
   using T = TeamMerge;
   return described<T>({"team_merge"}, "A master gives way to another, or both stay.",
                       field("mission", &T::mission, "of the sender"),
-                      field("meeting", &T::encounter, "this one included"),
+                      field("meeting", &T::meeting, "this one included"),
                       field("split", &T::split, "both stay, the mission is split"),
                       field("members", &T::members, "of the sender"));
 }
@@ -309,7 +309,7 @@ constexpr auto describe(const TeamMerge*) {
 /// How a mission was split: all its tasks with the branch of each.
 struct TeamSplit {
   TeamMission mission;  ///< of the receiver from now on
-  TeamEncounter encounter;
+  TeamEncounter meeting;
   std::uint32_t part = 0;
   std::uint32_t parts = 1;
   std::vector<TeamTask> tasks;
@@ -319,7 +319,7 @@ constexpr auto describe(const TeamSplit*) {
   using T = TeamSplit;
   return described<T>({"team_split"}, "How a mission was split between two masters.",
                       field("mission", &T::mission, "of the receiver from now on"),
-                      field("meeting", &T::encounter, "the second one"),
+                      field("meeting", &T::meeting, "the second one"),
                       field("part", &T::part, "from 0"),
                       field("parts", &T::parts, "how many there are"),
                       field("tasks", &T::tasks, "of this part"));
@@ -478,7 +478,7 @@ std::string_view kind_of(const TeamContent& content);
 /// Bytes on the air in fixed point with a header of 9 bytes, where names of missions are
 /// numbers of 2 bytes: query 25, inform and proposal 70 and 2 for each task refused,
 /// accept 25, confirm 17, reject and decline 13, assign 21 + 48 for each task, its answer
-/// 17; state 21 + 2 for each member + 8 for each encounter + 24 for each task; 2 for each
+/// 17; state 21 + 2 for each member + 8 for each meeting + 24 for each task; 2 for each
 /// that a task comes after; merge 25 + 2 for each member; split 25 + 24 for each task;
 /// bids 17 + 10 for each; proposal 24 + 4 for each share; decision 14; here 25.
 std::size_t air_bytes(const TeamContent& content);

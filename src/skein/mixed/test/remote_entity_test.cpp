@@ -148,7 +148,7 @@ TEST(RemoteVehicle, SendsItsAgentWhatThePayloadSees) {
 
 TEST(RemoteAgent, SaysWhatTheEntitySaysUnderItsOwnName) {
   Stand stand;
-  const Event event{seconds(9), EntityId{7}, "found", "a person"};
+  const Event event{seconds(9), EntityId{7}, EventLabel::named("found"), "a person"};
   FireReading reading;
   reading.aircraft = EntityId{8};
   stand.desk.waiting = {

@@ -59,7 +59,7 @@ class ServerMemoryTest : public testing::Test {
   const Event& last(EventKind kind) const {
     for (auto each = events.rbegin(); each != events.rend(); ++each)
       if (each->kind == kind) return *each;
-    throw std::runtime_error("no event " + kind);
+    throw std::runtime_error("no event " + std::string(row_of(kind).name));
   }
 
   ServerMemory memory;

@@ -90,11 +90,11 @@ struct Sane {
            is_sane(m.met) && is_sane(m.tasks);
   }
   bool operator()(const TeamMerge& m) const {
-    return is_sane(m.mission) && is_sane(m.encounter) && is_sane(m.members);
+    return is_sane(m.mission) && is_sane(m.meeting) && is_sane(m.members);
   }
   bool operator()(const TeamSplit& m) const {
     return m.part < m.parts && m.parts <= kMaxItems && is_sane(m.mission) &&
-           is_sane(m.encounter) && is_sane(m.tasks);
+           is_sane(m.meeting) && is_sane(m.tasks);
   }
   bool operator()(const TeamBids& m) const {
     return is_sane(m.mission) && is_sane(m.bids);

@@ -178,7 +178,7 @@ void TeamEncounters::answer_split(MemberState& member, EntityId other,
   split_with_.insert(other);
   branches.received(other, member.now + member.round_trip);  // until it knows
   branches.received(self, member.now);
-  begin_branch(member, other, {member.mission->name, self}, merge.encounter);
+  begin_branch(member, other, {member.mission->name, self}, merge.meeting);
   send_split(member, other, theirs);
 }
 
@@ -208,7 +208,7 @@ void TeamEncounters::on(MemberState& member, EntityId from, const TeamSplit& spl
   member.outbox.drop_repeated_to(from);
   for (const auto& [number, task] : member.knowledge.tasks)
     if (task.branch) branches.received(*task.branch, member.now);
-  begin_branch(member, from, split.mission, split.encounter);
+  begin_branch(member, from, split.mission, split.meeting);
 }
 
 }  // namespace skein::reasoning

@@ -216,7 +216,7 @@ void TeamLeading::on(MemberState& member, EntityId from, const TeamMerge& merge)
 
 void TeamLeading::take_in_team(MemberState& member, EntityId from,
                                const TeamMerge& merge) {
-  member.knowledge.note(merge.encounter);
+  member.knowledge.note(merge.meeting);
   encounters_.forget(from);
   // Their tasks are part of this one's, when either was a branch.
   if (!member.mission->branch && merge.mission.branch) member.mission = merge.mission;
