@@ -7,8 +7,9 @@
 namespace skein::app {
 namespace {
 
-// All that a program says on standard output; its exit status comes last.
-std::string said_by(const std::string& command) {
+// All that it says, with what follows its name; its exit status comes last.
+std::string hold(const std::string& arguments) {
+  const std::string command = SKEIN_HOLD_A_RUN " " + arguments;
   std::FILE* pipe = popen(command.c_str(), "r");
   std::string said;
   char part[512];
@@ -16,28 +17,27 @@ std::string said_by(const std::string& command) {
   return said + "exit " + std::to_string(pipe ? WEXITSTATUS(pclose(pipe)) : -1);
 }
 
-const std::string kHolder = SKEIN_HOLD_A_RUN;
-const std::string kScenario = SKEIN_SOURCE_DIR "/example/my_kinds/held.yaml";
+constexpr const char* kScenario = SKEIN_SOURCE_DIR "/example/my_kinds/held.yaml";
 
 TEST_F(Program, HeldRunsHaveTheHashOfTheirCommands) {
   const Finished whole = run({"run", kScenario, "--json", "--out", "whole", "--set",
                               "commands=[{at_s: 30, do: wind 6 90}]"});
   ASSERT_EQ(whole.status, 0) << whole.err;
   const std::string hash = nlohmann::json::parse(whole.out).value("content_hash", "none");
-  const std::string held = said_by(kHolder + " " + kScenario);
+  const std::string held = hold(kScenario);
   EXPECT_NE(held.find("content hash " + hash + "\nexit 0"), std::string::npos) << held;
   EXPECT_NE(held.find(" 30.0 s  "), std::string::npos) << held;
   EXPECT_NE(held.find("and believes"), std::string::npos) << held;
   // Changes are those of --set.
   const Finished other = run({"run", kScenario, "--json", "--out", "other", "--set",
                               "seed=4", "--set", "duration_s=20"});
-  EXPECT_NE(said_by(kHolder + " " + kScenario + " seed=4 duration_s=20")
+  EXPECT_NE(hold(std::string(kScenario) + " seed=4 duration_s=20")
                 .find(nlohmann::json::parse(other.out).value("content_hash", "none")),
             std::string::npos);
 }
 
 TEST_F(Program, WhoHoldsARunIsToldWhatIsWrong) {
-  const std::string wrong = said_by(kHolder + " " + kScenario + " sede=4 2>&1");
+  const std::string wrong = hold(std::string(kScenario) + " sede=4 2>&1");
   EXPECT_NE(wrong.find("sede"), std::string::npos) << wrong;
   EXPECT_TRUE(wrong.ends_with("exit 1")) << wrong;
 }
