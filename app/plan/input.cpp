@@ -112,7 +112,7 @@ Result<std::vector<double>> numbers_of(const std::string& option, const std::str
   std::vector<double> numbers;
   CsvCells cells(text);
   while (const auto cell = cells.next()) {
-    const auto value = number_in(*cell);
+    const auto value = skein::number_in(*cell);
     if (!value || !std::isfinite(*value))
       return wrong(option, fmt::format("\"{}\" is not a finite number.", *cell),
                    fmt::format("Needed: {}.", form));
