@@ -36,7 +36,7 @@ TEST(SplineField, WhiteCoefficientsGiveTheStatedSpread) {
   int count = 0;
   for (double x = -5800; x < 5800; x += 37)
     for (double y = -5800; y < 5800; y += 37) {
-      const double v = field.sample({x, y});
+      const double v = field.sample(Vec2(x, y));
       sum2 += v * v;
       ++count;
     }
