@@ -29,14 +29,18 @@ Member straight_front() {
 
 TEST(Member, AHeadCarriesItsRateWithIt) {
   Member m = straight_front();
-  ASSERT_NEAR(m.rate_at({450, 300}), 0, 0.01);
+  const auto rate_at = [&m](double north, double east) {
+    return m.rate_at(
+        model::spline_stencil(m.rate.coefficients.grid, Vec2(north, east)));
+  };
+  ASSERT_NEAR(rate_at(450, 300), 0, 0.01);
   carry_rate_ahead(m, 0);
   for (const double east : {-300.0, 0.0, 300.0}) {
     // Splines reproduce straight lines; coefficients beyond the grid's edge do not follow
     // them, which the rest allows for.
-    EXPECT_NEAR(m.rate_at({0, east}), 1 + east / 1000, 1e-3);
-    EXPECT_NEAR(m.rate_at({450, east}), 1 + east / 1000, 1e-3);
-    EXPECT_NEAR(m.rate_at({-300, east}), 1 + east / 1000, 1e-3);
+    EXPECT_NEAR(rate_at(0, east), 1 + east / 1000, 1e-3);
+    EXPECT_NEAR(rate_at(450, east), 1 + east / 1000, 1e-3);
+    EXPECT_NEAR(rate_at(-300, east), 1 + east / 1000, 1e-3);
   }
 }
 
