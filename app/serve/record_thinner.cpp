@@ -48,7 +48,7 @@ struct SubjectFinder {
     return key(r.aircraft.value, r.object);
   }
   hmi::RecordKey operator()(const Event& r) const {
-    return key(r.entity.value, 0, r.kind);
+    return key(r.entity.value, 0, std::string(r.kind.name()));
   }
   template <class Other>
   hmi::RecordKey operator()(const Other&) const {
