@@ -144,7 +144,7 @@ commands:
 )",
       c.seed, kEnd, c.wind_speed, c.wind_from_deg, a.plant, kOrder, file.string()));
   ++tally.flights;
-  if (log.find("task-done") == nullptr) {
+  if (log.find(EventKind::kTaskDone) == nullptr) {
     ++tally.missed;
     return;
   }
