@@ -1124,7 +1124,7 @@ export interface PositionFix {
 /** What a program outside asks of an aircraft. */
 export interface Vehicle {
   aircraft: string; // who
-  request: ({ kind: "set_mode" } & SetMode) | ({ kind: "arm" } & Arm) | ({ kind: "take_off" } & TakeOff) | ({ kind: "land" } & Land) | ({ kind: "named" } & Named) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "bank_setpoint" } & BankSetpoint) | ({ kind: "track_setpoint" } & TrackSetpoint) | ({ kind: "set_speed" } & SetSpeed) | ({ kind: "upload_mission" } & UploadMission) | ({ kind: "start_mission" } & StartMission) | ({ kind: "pilot" } & Pilot) | ({ kind: "obstacles" } & Obstacles) | ({ kind: "upload_fence" } & UploadFence) | ({ kind: "position_fix" } & PositionFix); // what
+  request: ({ kind: "set_mode" } & SetMode) | ({ kind: "arm" } & Arm) | ({ kind: "take_off" } & TakeOff) | ({ kind: "land" } & Land) | ({ kind: "fly_to" } & FlyTo) | ({ kind: "bank_setpoint" } & BankSetpoint) | ({ kind: "track_setpoint" } & TrackSetpoint) | ({ kind: "set_speed" } & SetSpeed) | ({ kind: "upload_mission" } & UploadMission) | ({ kind: "start_mission" } & StartMission) | ({ kind: "pilot" } & Pilot) | ({ kind: "obstacles" } & Obstacles) | ({ kind: "upload_fence" } & UploadFence) | ({ kind: "position_fix" } & PositionFix); // what
 }
 
 /** An allocation that a team has proposed comes into force, or not. */
