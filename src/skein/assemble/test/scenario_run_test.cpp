@@ -133,7 +133,8 @@ TEST(ScenarioRun, AnswersByName) {
   EXPECT_TRUE(run->perimeter_beliefs("scout-1").value().empty());
 
   std::set<std::string> kinds;
-  for (const Event& event : run->take_events()) kinds.insert(std::string(event.kind.name()));
+  for (const Event& event : run->take_events())
+    kinds.insert(std::string(event.kind.name()));
   EXPECT_TRUE(kinds.contains("joined"));
   EXPECT_TRUE(run->take_events().empty());
 }

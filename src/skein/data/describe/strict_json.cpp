@@ -52,7 +52,10 @@ class ParserWatch {
 void Problems::add(const std::string& path, const std::string& what) {
   if (count_++ >= kMaxProblems) return;
   if (count_ == 1) first_place_ = path.empty() ? name_ : name_ + ": " + path;
-  text_ += count_ == 1 ? what : fmt::format("\n{}: {}: {}", name_, path, what);
+  if (count_ == 1)
+    text_ = what;
+  else
+    text_ += fmt::format("\n{}{}: {}", name_, path.empty() ? "" : ": " + path, what);
 }
 
 Error Problems::error() const {

@@ -60,6 +60,7 @@ TaskNeeds value_needs(const T& values) {
     return needs_of_task(values);
   } else {
     TaskNeeds needs;
+    bool alone = true;
     for_each_field<T>([&]<class O, class M, class F>(const Field<O, M, F>& f) {
       if constexpr (std::is_same_v<M, Vec2>) {
         if (!needs.begin) needs = needs_at(values.*f.member);
@@ -67,9 +68,10 @@ TaskNeeds value_needs(const T& values) {
         if (!needs.begin && !(values.*f.member).empty())
           needs = needs_at((values.*f.member).front());
       } else if constexpr (type_traits::kIsId<M>) {
-        needs.foreseen = false;
+        alone = false;
       }
     });
+    needs.foreseen = needs.foreseen && alone;
     return needs;
   }
 }

@@ -32,8 +32,8 @@ TEST(StrictJson, CollectsProblemsWithTheirPlaces) {
   (void)value.at("a").items(9);
   const std::string text = problems.error().text();
   for (const char* part :
-       {"lacks the key \"d\"", "unknown key \"c\"", ".a: must be a number from 0 to 1",
-        ".b: must be an integer from -5 to 5", ".c: must be a text", "must be a list"})
+       {"lacks the key \"d\"", "unknown key \"c\"", ": a: must be a number from 0 to 1",
+        ": b: must be an integer from -5 to 5", ": c: must be a text", "must be a list"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }
 

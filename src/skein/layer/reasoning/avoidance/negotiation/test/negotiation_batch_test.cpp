@@ -34,7 +34,7 @@ TEST(NegotiationBatch, SaysWhatIsWrongAndWhere) {
   };
   has("[", "no JSON");
   has("{}", "must be a list");
-  has("[1]", "n.json [0]: must be an object");
+  has("[1]", "n.json: [0]: must be an object");
   has(R"([{"id":"a","utility_1":[1],"utility_2":[1]}])", "lacks the key \"free\"");
   has(R"([{"id":"a","utility_1":[1],"utility_2":[1],"free":[[1]],"fre":0}])",
       "unknown key \"fre\"");

@@ -30,8 +30,7 @@ Member straight_front() {
 TEST(Member, AHeadCarriesItsRateWithIt) {
   Member m = straight_front();
   const auto rate_at = [&m](double north, double east) {
-    return m.rate_at(
-        model::spline_stencil(m.rate.coefficients.grid, Vec2(north, east)));
+    return m.rate_at(model::spline_stencil(m.rate.coefficients.grid, Vec2(north, east)));
   };
   ASSERT_NEAR(rate_at(450, 300), 0, 0.01);
   carry_rate_ahead(m, 0);
