@@ -117,7 +117,7 @@ std::optional<Values> evaluate_case(CsvRow& row, Case c,
   if (c.kind == "TN") return evaluate_tn(c);
   const model::SigmaPoints points = model::ukf_points(c.mu, c.sigma, c.bounds);
   if (c.kind == "UKF") return Values{points.low, points.high, points.mean()};
-  if (c.kind == "COV_UKF.") return evaluate_second_moment(c, points.mean());
+  if (c.kind == "COV_UKF") return evaluate_second_moment(c, points.mean());
   if (c.kind == "MAP") {
     if (!has_noisy_bound(row, c)) return std::nullopt;
     return Values{map_of(c), mle_of(c)};

@@ -184,8 +184,8 @@ TEST(EstimatorsCsv, ReportsAMissingHeaderAndColumns) {
   EXPECT_NE(problems[0].text().find("no header line"), std::string::npos);
   cases("kind,mu,sigma,lower,lower\n", &problems);
   ASSERT_EQ(problems.size(), 2u);
-  EXPECT_NE(problems[0].text().find("column \"upper\" is missing"), std::string::npos);
-  EXPECT_NE(problems[1].text().find("column \"lower\" occurs twice"), std::string::npos);
+  EXPECT_NE(problems[0].text().find("column \"lower\" occurs twice"), std::string::npos);
+  EXPECT_NE(problems[1].text().find("column \"upper\" is missing"), std::string::npos);
 }
 
 TEST(EstimatorsCsv, StopsAfterManyProblems) {

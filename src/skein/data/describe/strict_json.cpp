@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 
@@ -135,7 +136,11 @@ std::int64_t Value::integer(std::int64_t low, std::int64_t high) const {
       json_->is_number_unsigned()
           ? json_->get<std::uint64_t>() <= static_cast<std::uint64_t>(INT64_MAX)
           : json_->is_number_integer();
-  if (fits) {
+  constexpr double kMaxExact = 9007199254740992;  // 2^53
+  const bool is_whole_float = json_->is_number_float() &&
+                              std::abs(json_->get<double>()) <= kMaxExact &&
+                              json_->get<double>() == std::floor(json_->get<double>());
+  if (fits || is_whole_float) {
     const auto value = json_->get<std::int64_t>();
     if (value >= low && value <= high) return value;
   }

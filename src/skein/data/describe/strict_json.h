@@ -72,7 +72,7 @@ class Value {
 
   /// A number within bounds; reports when it is none, and gives `low` then.
   double number(double low, double high) const;
-  /// An integer within bounds; likewise.
+  /// An integer within bounds, 2.0 too; likewise.
   std::int64_t integer(std::int64_t low, std::int64_t high) const;
   /// A text of 1 to `max_bytes` bytes without control characters; likewise, empty.
   std::string text(std::size_t max_bytes) const;

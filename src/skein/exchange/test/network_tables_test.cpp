@@ -46,9 +46,9 @@ TEST(NetworkTables, SayWhatIsWrongWithNodes) {
   EXPECT_NE(refusal_of_nodes(head + "1,5,1,1,3,\n1,5,2,2,2,\n")
                 .find("n.csv:3: column \"time_s\": the rows"),
             std::string::npos);
-  EXPECT_NE(
-      refusal_of_nodes(head + "1,5,1,1,3,4\n1,6,2,2,2,5\n").find("power_dbm differs"),
-      std::string::npos);
+  EXPECT_NE(refusal_of_nodes(head + "1,5,1,1,3,4\n1,6,2,2,2,5\n")
+                .find("\"power_dbm\": differs"),
+            std::string::npos);
   EXPECT_NE(refusal_of_nodes("node,time_s,x_m,y_m\n").find("column \"z_m\" is missing"),
             std::string::npos);
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sample_run.h"
 #include "skein/record/store/record_stream.h"
 #include "skein/record/store/replay.h"
@@ -81,7 +83,9 @@ TEST(OlderTables, AreReadAsThoseOfNow) {
     ASSERT_EQ(run.value().events.size(), now.value().events.size());
     for (std::size_t k = 0; k < run.value().events.size(); ++k)
       EXPECT_EQ(run.value().events[k].kind, now.value().events[k].kind);
-    EXPECT_EQ(run.value().events.back().kind.name(), "my-smoke");
+    EXPECT_TRUE(std::ranges::any_of(run.value().events, [](const Event& event) {
+      return event.kind.name() == "my-smoke";
+    }));
     EXPECT_TRUE(RunViews::open(older).ok());
     EXPECT_TRUE(read_recorded(older).ok());
     auto stream = RecordStream::open(older);
