@@ -21,7 +21,7 @@ const std::string kOld =
     "    agent:\n"
     "      kind: scout   # a \"scout\"\n"
     "      avoidance: {method: rule, stranger_room: static}\n"
-    "stations: [{position_m: [0, 0], team: {structure: 'fixed-master'}}]\n";
+    "missions: [{kind: perimeter, estimator: {kind: 'point-reset', 'least_sd_m': 4}}]\n";
 const std::string kNew =
     "# stranger_room: of 0.1\n"
     "aircraft:\n"
@@ -29,7 +29,7 @@ const std::string kNew =
     "    agent:\n"
     "      kind: scout   # a \"scout\"\n"
     "      avoidance: {method: rule, intruder_room: static}\n"
-    "stations: [{position_m: [0, 0], team: {structure: 'fixed-leader'}}]\n";
+    "missions: [{kind: perimeter, estimator: {kind: 'point-reset', 'min_sd_m': 4}}]\n";
 
 TEST_F(Check, RewritesFormerNamesAndShowsTheDifference) {
   write("old.yaml", kOld);
@@ -105,7 +105,7 @@ TEST_F(Check, ARunOfFormerNamesIsStillDescribed) {
     kept.replace(at, now.size(), then);
   };
   put_back("intruder_room", "stranger_room");
-  put_back("fixed-leader", "fixed-master");
+  put_back("min_sd_m", "least_sd_m");
   write("r/scenario.yaml", kept);
   const Finished reported = run({"report", "r"});
   EXPECT_EQ(reported.status, 0) << reported.err;

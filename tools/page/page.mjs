@@ -175,7 +175,7 @@ async function approvesAndTakesOver() {
 duration_s: 3600
 environment: {terrain: flat, phenomena: [], wind: {kind: uniform, speed_mps: 4, from_deg: 300}}
 radio: {kind: ideal, loss: 0.2, delay_s: 0.2, jitter_s: 0.2}
-stations: [{position_m: [-600, 0], team: {structure: leader, approval: true}}]
+stations: [{position_m: [-600, 0], team: {structure: master, approval: true}}]
 aircraft: [{name: scout, count: 5, altitude_agl_m: 100, sensors: [gnss, air-data], start: {placement: line, centre_m: [-300, 0], spacing_m: 150}}]
 missions:
   - kind: team

@@ -230,11 +230,10 @@ Fields<TeamSetup> team_fields() {
       .word("structure", &T::structure,
             "Who shares out the tasks of missions of the kind `team`.",
             {{"none", Structure::kNone, "nobody: there are none"},
-             {"leader", Structure::kLeader,
-              "one of the aircraft, which they elect; another one when it is lost",
-              "master"},
-             {"fixed-leader", Structure::kFixedLeader,
-              "the station, as long as they receive it", "fixed-master"},
+             {"master", Structure::kLeader,
+              "one of the aircraft, which they elect; another one when it is lost"},
+             {"fixed-master", Structure::kFixedLeader,
+              "the station, as long as they receive it"},
              {"auction", Structure::kAuction,
               "nobody: each bids, and the highest bid wins"}})
       .word(
