@@ -154,7 +154,7 @@ record::StudyDots campaign_dots(const CampaignFile& file, const CampaignFigure& 
     all.push_back(name);
     return all.size() - 1;
   };
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::array<std::size_t, 2>> places;
   for (const StudyCell& cell : plan.cells) {
     std::vector<std::string> labels = labels_of(cell, file.axes.size());
@@ -163,12 +163,13 @@ record::StudyDots campaign_dots(const CampaignFile& file, const CampaignFigure& 
     places.push_back({index_in(plot.rows, fmt::format("{}", fmt::join(labels, ", "))),
                       index_in(plot.series, series)});
   }
-  plot.dots.assign(plot.rows.size(), std::vector<record::StudyDot>(
-                                         plot.series.size(), {kNone, kNone, kNone}));
+  plot.dots.assign(
+      plot.rows.size(),
+      std::vector<record::StudyDot>(plot.series.size(), {kNoValue, kNoValue, kNoValue}));
   for (std::size_t k = 0; k < plan.cells.size(); ++k) {
     const MeanInterval mean = figure_of(plan.cells[k], outcomes, figure.figure);
     if (mean.count == 0) continue;
-    const double half = mean.count > 1 ? mean.half_width : kNone;
+    const double half = mean.count > 1 ? mean.half_width : kNoValue;
     plot.dots[places[k][0]][places[k][1]] = {mean.mean, mean.mean - half,
                                              mean.mean + half};
   }
