@@ -108,6 +108,7 @@ class Tuning {
       : arguments_(arguments),
         kinds_(kinds),
         reader_(reader_of(kinds, arguments.plugins, stop)),
+        last_reader_(reader_of(kinds, arguments.plugins, never_)),
         folder_(folder),
         stop_(stop) {
     take_arguments(arguments, "tuning.yaml", study_);
@@ -158,7 +159,8 @@ class Tuning {
                    {"found", assemble::lap_gains_text(best)}};
     study_.first_seed += study_.seeds;
     study_.seeds = std::max(study_.seeds, kMinFreshSeeds);
-    auto plan = campaign::plan_comparison(study_, reader_);
+    // Also after an interruption, so that what was found is reported.
+    auto plan = campaign::plan_comparison(study_, last_reader_);
     if (!plan) return plan.error();
     plan_ = std::move(plan).value();
     return {};
@@ -226,7 +228,8 @@ class Tuning {
  private:
   const StudyArguments& arguments_;
   const assemble::KindRegistry& kinds_;
-  campaign::ScenarioReader reader_;
+  const std::atomic<bool> never_ = false;
+  campaign::ScenarioReader reader_, last_reader_;
   fs::path folder_;
   const std::atomic<bool>& stop_;
   const bool terminal_ = isatty(STDERR_FILENO) != 0;

@@ -94,7 +94,7 @@ TEST_F(Check, KnowsFilesOfEveryKind) {
 }
 
 TEST_F(Check, ARunOfFormerNamesIsStillDescribed) {
-  write("new.yaml", kNew + "duration_s: 5\nagent_period_s: 1\n");
+  write("new.yaml", kNew + "duration_s: 5\n");
   const Finished flown = run({"run", "new.yaml", "--out", "r"});
   ASSERT_EQ(flown.status, 0) << flown.err;
   // As a version that had those names would have left it.

@@ -155,7 +155,7 @@ TEST_F(PlanFleet, BadInputIsNamedAndLosesNothing) {
   expect(".", {}, "is a folder");
   expect("f.csv", {}, "f.csv: is an input as well as an output");
   write("bad.csv", kHead + std::string("a,0,0,90,400,x,0,,\n"));
-  expect("bad.csv", {}, "bad.csv:2: goal_east_m: x is no number from");
+  expect("bad.csv", {}, "bad.csv:2: column \"goal_east_m\": \"x\" is no number from");
   const auto table = star(2, 0);
   expect(table, {"--wind", "20,0"}, "must be below the airspeed");
   expect(table, {"--out", "f.plan"}, "place on Earth is not known");

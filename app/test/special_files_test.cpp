@@ -41,6 +41,8 @@ std::map<std::string, FileOption> file_options() {
       {"plan connect --out", {"plan connect" + ends + "--out OUT", ".svg"}},
       {"plan connect --output", {"plan connect --batch rows.csv --output OUT", ".csv"}},
       {"plan path --out", {"plan path" + ends + "--out OUT", ".html"}},
+      {"plan fleet --out",
+       {"plan fleet fleet.csv" + flown + "--altitude-m 100 --out OUT", ".csv"}},
       {"plan coverage --out",
        {"plan coverage --area area.geojson --from 0,0,0 --swath-m 200" + flown +
             "--out OUT",
@@ -208,6 +210,9 @@ class SpecialFiles : public Program {
     write(
         "area.geojson",
         R"({"type":"Polygon","coordinates":[[[0,0],[600,0],[600,600],[0,600],[0,0]]]})");
+    write("fleet.csv",
+          "name,start_north_m,start_east_m,start_heading_deg,goal_north_m,goal_east_m,"
+          "goal_heading_deg\na,0,0,0,900,0,0\n");
     write("line.geojson", R"({"type":"LineString","coordinates":[[0,0],[500,100]]})");
     write("e.csv",
           "case,aircraft,alerter,north_m,east_m,down_m,vn_mps,ve_mps,vd_mps\n"
