@@ -119,10 +119,11 @@ TEST_F(PluginProgram, ItsTaskIsFlownAloneAndByATeam) {
       run({"run", "search.yaml", "--trust", ".", "--out", "run", "--json"});
   ASSERT_EQ(flown.status, 0) << flown.err;
   const auto done_by = [&](const std::string& name) {
-    return query(folder_ / "run/run.sqlite",
-                 "select count(*) from events join entities using (entity_id) where kind "
-                 "= 'task-done' and text like '%expanding_square%' and name = '" +
-                     name + "'");
+    return query(
+        folder_ / "run/run.sqlite",
+        "select count(*) from events join entities using (entity_id) where "
+        "events.kind = 'task-done' and text like '%expanding_square%' and name = '" +
+            name + "'");
   };
   EXPECT_EQ(done_by("lone-1"), 1);
   EXPECT_EQ(done_by("lone-2"), 1);

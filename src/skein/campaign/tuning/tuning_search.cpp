@@ -36,19 +36,18 @@ Result<TuningFound> search_gains(const TuningSearch& search, const ScenarioReade
       values[i] = rounded(values[i] * math::exp(std::clamp(logs[i], -kMaxLog, kMaxLog)));
     return values;
   };
+  // An interruption ends the search, with what has been found; all else ends it for good.
+  const auto ended = [&](const Error& why) -> std::optional<double> {
+    if (why.code != ErrorCode::kInterrupted) error = why;
+    return {};
+  };
   const auto cost = [&](const std::vector<double>& logs) -> std::optional<double> {
     TuningStudy study = search.study;
     study.sets = {{fmt::format("search/{}", tried), search.lap_gains(values_at(logs))}};
     const auto plan = plan_comparison(study, reader);
-    if (!plan) {
-      error = plan.error();
-      return {};
-    }
+    if (!plan) return ended(plan.error());
     const auto outcomes = run_batch(plan.value().items, run, quiet);
-    if (!outcomes) {
-      error = outcomes.error();
-      return {};
-    }
+    if (!outcomes) return ended(outcomes.error());
     double sum = 0;
     for (const BatchOutcome& outcome : outcomes.value()) {
       if (!outcome.error.empty()) found.error = outcome.error;
